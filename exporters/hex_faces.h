@@ -1,0 +1,35 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "hex/hex_mesh.h"
+
+namespace hexwall {
+
+/// Corners of the six faces of a hexahedron in the order of VTK_HEXAHEDRON. Each face is
+/// counter-clockwise seen from outside a hexahedron of positive volume.
+inline constexpr std::array<std::array<int, 4>, 6> kHexFaces{
+    {{0, 4, 7, 3}, {1, 2, 6, 5}, {0, 1, 5, 4}, {3, 7, 6, 2}, {0, 3, 2, 1}, {4, 5, 6, 7}}};
+
+/// One value per face of each hex, in the order of `kHexFaces`. #H.
+using HexFaceValues = std::vector<std::array<int, 6>>;
+
+/// Vertices of face `face` of hex `hex`, seen from outside the hex.
+std::array<int, 4> hex_face(const HexMesh& mesh, int hex, int face);
+
+/// Patch of each face of each hex: an index into `mesh.patches`, or -1.
+/// \throw Error(ExitCode::internal) if a patch lists a face that its hex does not have, or has with
+/// the opposite orientation, or if a face is listed twice.
+HexFaceValues patch_of_hex_faces(const HexMesh& mesh);
+
+/// The hex on the other side of each face of each hex, or -1 where there is none. Cost O(#H).
+/// \throw Error(ExitCode::internal) if a vertex index is out of range, if three hexes share a face,
+/// or if two hexes that share a face lie on the same side of it.
+HexFaceValues neighbours_of_hexes(const HexMesh& mesh);
+
+/// Zone of each hex: an index into `mesh.zones`. #H.
+/// \throw Error(ExitCode::internal) unless the zones are a partition of the hexes.
+std::vector<int> zone_of_hexes(const HexMesh& mesh);
+
+}  // namespace hexwall

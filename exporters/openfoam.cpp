@@ -1,0 +1,276 @@
+#include "exporters/openfoam.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include "core/errors.h"
+#include "exporters/hex_faces.h"
+#include "exporters/output_file.h"
+
+namespace hexwall {
+namespace {
+
+constexpr std::string_view kMeshFolder = "constant/polyMesh";
+
+/// A face of the OpenFOAM mesh: a face of its owner, and the hex behind it or -1.
+struct FoamFace {
+  int owner;
+  int local;
+  int neighbour;
+};
+
+struct FoamFaces {
+  std::vector<FoamFace> faces;  ///< internal faces, then those of the patches in order
+  int internal = 0;
+};
+
+/// A file of the case: its path below the case folder and its content.
+struct CaseFile {
+  std::string path;
+  std::string text;
+};
+
+[[noreturn]] void inconsistent(const std::string& what) {
+  throw Error(ExitCode::internal, "cannot export to OpenFOAM: " + what);
+}
+
+/// Text grown in place; numbers are the shortest that read back to the same value.
+class Text {
+ public:
+  explicit Text(std::size_t expected_size) { text_.reserve(expected_size); }
+  Text& operator<<(std::string_view s) {
+    text_.append(s);
+    return *this;
+  }
+  Text& operator<<(char c) {
+    text_.push_back(c);
+    return *this;
+  }
+  Text& operator<<(int value) { return number(value); }
+  Text& operator<<(double value) { return number(value); }
+  std::string take() { return std::move(text_); }
+
+ private:
+  template <typename T>
+  Text& number(T value) {
+    char digits[32];
+    const auto end = std::to_chars(std::begin(digits), std::end(digits), value).ptr;
+    text_.append(digits, end);
+    return *this;
+  }
+  std::string text_;
+};
+
+int count(const auto& container) {
+  return static_cast<int>(container.size());
+}
+
+/// The banner every OpenFOAM file begins with. `note` is left out if empty.
+std::string header(std::string_view foam_class, std::string_view location, std::string_view object,
+                   const std::string& note = "") {
+  Text text(512);
+  text << "FoamFile\n{\n    version     2.0;\n    format      ascii;\n    class       "
+       << foam_class << ";\n";
+  if (!note.empty()) text << "    note        \"" << note << "\";\n";
+  text << "    location    \"" << location << "\";\n    object      " << object << ";\n}\n\n";
+  return text.take();
+}
+
+CaseFile mesh_file(std::string_view foam_class, std::string_view name, std::string body,
+                   const std::string& note = "") {
+  body.insert(0, header(foam_class, kMeshFolder, name, note));
+  return {std::string(kMeshFolder) + '/' + std::string(name), std::move(body)};
+}
+
+/// Neighbours with a higher number, in ascending order: upper-triangular order.
+void append_internal_faces(const HexFaceValues& neighbours, FoamFaces& result) {
+  const auto by_neighbour = [](const FoamFace& a, const FoamFace& b) {
+    return std::pair(a.neighbour, a.local) < std::pair(b.neighbour, b.local);
+  };
+  for (int hex = 0; hex < count(neighbours); ++hex) {
+    const int first = count(result.faces);
+    for (int i = 0; i < 6; ++i)
+      if (neighbours[hex][i] > hex) result.faces.push_back({hex, i, neighbours[hex][i]});
+    std::sort(result.faces.begin() + first, result.faces.end(), by_neighbour);
+  }
+  result.internal = count(result.faces);
+}
+
+void check_patches(const HexFaceValues& neighbours, const HexFaceValues& patch_of) {
+  for (int hex = 0; hex < count(neighbours); ++hex)
+    for (int i = 0; i < 6; ++i) {
+      const bool on_boundary = neighbours[hex][i] < 0;
+      if (on_boundary == (patch_of[hex][i] >= 0)) continue;
+      inconsistent("face " + std::to_string(i) + " of hex " + std::to_string(hex) +
+                   (on_boundary ? " is on the boundary but in no patch"
+                                : " is in a patch but not on the boundary"));
+    }
+}
+
+/// Boundary faces by patch, and by owner within a patch.
+void append_boundary_faces(const HexFaceValues& patch_of, int patches, FoamFaces& result) {
+  std::vector<std::vector<FoamFace>> of_patch(patches);
+  for (int hex = 0; hex < count(patch_of); ++hex)
+    for (int i = 0; i < 6; ++i)
+      if (const int patch = patch_of[hex][i]; patch >= 0) of_patch[patch].push_back({hex, i, -1});
+  for (const auto& faces : of_patch)
+    result.faces.insert(result.faces.end(), faces.begin(), faces.end());
+}
+
+FoamFaces foam_faces(const HexMesh& mesh) {
+  const HexFaceValues neighbours = neighbours_of_hexes(mesh);
+  const HexFaceValues patch_of = patch_of_hex_faces(mesh);
+  check_patches(neighbours, patch_of);
+  FoamFaces result;
+  result.faces.reserve(4 * mesh.hexes.size());
+  append_internal_faces(neighbours, result);
+  append_boundary_faces(patch_of, count(mesh.patches), result);
+  return result;
+}
+
+CaseFile points_file(const HexMesh& mesh, double scale) {
+  Text text(64 * mesh.points.size() + 64);
+  text << count(mesh.points) << "\n(\n";
+  for (const Vec3& p : mesh.points)
+    text << '(' << scale * p.x() << ' ' << scale * p.y() << ' ' << scale * p.z() << ")\n";
+  text << ")\n";
+  return mesh_file("vectorField", "points", text.take());
+}
+
+CaseFile faces_file(const HexMesh& mesh, const FoamFaces& faces) {
+  Text text(40 * faces.faces.size() + 64);
+  text << count(faces.faces) << "\n(\n";
+  for (const FoamFace& face : faces.faces) {
+    // The face points out of its owner: to the neighbour, or out of the mesh.
+    const std::array<int, 4> v = hex_face(mesh, face.owner, face.local);
+    text << "4(" << v[0] << ' ' << v[1] << ' ' << v[2] << ' ' << v[3] << ")\n";
+  }
+  text << ")\n";
+  return mesh_file("faceList", "faces", text.take());
+}
+
+std::string size_note(const HexMesh& mesh, const FoamFaces& faces) {
+  Text note(128);
+  note << "nPoints:" << count(mesh.points) << "  nCells:" << count(mesh.hexes)
+       << "  nFaces:" << count(faces.faces) << "  nInternalFaces:" << faces.internal;
+  return note.take();
+}
+
+/// The `owner` or `neighbour` file: `member` of the first `n` faces.
+CaseFile labels_file(std::string_view name, const FoamFaces& faces, int n, int FoamFace::*member,
+                     const std::string& note) {
+  Text text(10 * faces.faces.size() + 64);
+  text << n << "\n(\n";
+  for (int i = 0; i < n; ++i) text << faces.faces[i].*member << '\n';
+  text << ")\n";
+  return mesh_file("labelList", name, text.take(), note);
+}
+
+const std::string& checked_word(const std::string& name) {
+  const auto is_word_char = [](char c) {
+    return c > ' ' && c < 127 &&
+           std::string_view("\"'/;{}()[]#$").find(c) == std::string_view::npos;
+  };
+  if (name.empty() || !std::all_of(name.begin(), name.end(), is_word_char))
+    inconsistent("the name '" + name + "' is not an OpenFOAM word");
+  return name;
+}
+
+CaseFile boundary_file(const HexMesh& mesh, const FoamFaces& faces) {
+  Text text(1024);
+  int start = faces.internal;
+  text << count(mesh.patches) << "\n(\n";
+  for (const BoundaryPatch& patch : mesh.patches) {
+    text << "    " << checked_word(patch.name) << "\n    {\n        type            "
+         << (patch.is_wall ? "wall" : "patch") << ";\n        nFaces          "
+         << count(patch.faces) << ";\n        startFace       " << start << ";\n    }\n";
+    start += count(patch.faces);
+  }
+  text << ")\n";
+  return mesh_file("polyBoundaryMesh", "boundary", text.take());
+}
+
+CaseFile zones_file(const HexMesh& mesh) {
+  zone_of_hexes(mesh);  // OpenFOAM wants zones that do not overlap
+  Text text(10 * mesh.hexes.size() + 1024);
+  text << count(mesh.zones) << "\n(\n";
+  for (const CellZone& zone : mesh.zones) {
+    text << checked_word(zone.name) << "\n{\n    type cellZone;\ncellLabels List<label>\n"
+         << count(zone.hexes) << "\n(\n";
+    for (const int hex : zone.hexes) text << hex << '\n';
+    text << ")\n;\n}\n";
+  }
+  text << ")\n";
+  return mesh_file("regIOobject", "cellZones", text.take());
+}
+
+CaseFile dictionary(std::string_view name, std::string_view body) {
+  return {"system/" + std::string(name), header("dictionary", "system", name) + std::string(body)};
+}
+
+void append_system_files(std::vector<CaseFile>& files) {
+  files.push_back(dictionary("controlDict", R"(application     checkMesh;
+startFrom       startTime;
+startTime       0;
+stopAt          endTime;
+endTime         1;
+deltaT          1;
+writeControl    timeStep;
+writeInterval   1;
+)"));
+  files.push_back(dictionary("fvSchemes", R"(ddtSchemes           { default steadyState; }
+gradSchemes          { default Gauss linear; }
+divSchemes           { default none; }
+laplacianSchemes     { default Gauss linear corrected; }
+interpolationSchemes { default linear; }
+snGradSchemes        { default corrected; }
+)"));
+  files.push_back(dictionary("fvSolution", "solvers {}\n"));
+}
+
+std::vector<CaseFile> case_files(const HexMesh& mesh, double metres_per_unit) {
+  const FoamFaces faces = foam_faces(mesh);
+  const std::string note = size_note(mesh, faces);
+  std::vector<CaseFile> files;
+  files.push_back(points_file(mesh, metres_per_unit));
+  files.push_back(faces_file(mesh, faces));
+  files.push_back(labels_file("owner", faces, count(faces.faces), &FoamFace::owner, note));
+  files.push_back(labels_file("neighbour", faces, faces.internal, &FoamFace::neighbour, note));
+  files.push_back(boundary_file(mesh, faces));
+  files.push_back(zones_file(mesh));
+  append_system_files(files);
+  return files;
+}
+
+void make_folders(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw WriteError("cannot make folder " + folder.string() + ": " + error.message());
+}
+
+}  // namespace
+
+void write_openfoam(const std::filesystem::path& case_dir, const HexMesh& mesh,
+                    double metres_per_unit) {
+  if (!std::isfinite(metres_per_unit) || metres_per_unit <= 0)
+    inconsistent("the unit of length must be positive");
+  // All text first: an inconsistent mesh must not replace a good case.
+  const std::vector<CaseFile> files = case_files(mesh, metres_per_unit);
+  make_folders(case_dir / kMeshFolder);
+  make_folders(case_dir / "system");
+  try {
+    for (const CaseFile& file : files) write_output_file(case_dir / file.path, file.text);
+  } catch (const WriteError&) {
+    // Half a mesh could be mistaken for a whole one.
+    std::error_code ignored;
+    for (const CaseFile& file : files) std::filesystem::remove(case_dir / file.path, ignored);
+    throw;
+  }
+}
+
+}  // namespace hexwall

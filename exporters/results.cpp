@@ -1,0 +1,198 @@
+#include "exporters/results.h"
+
+#include <array>
+#include <cmath>
+
+#include <Eigen/Geometry>
+#include <fmt/format.h>
+
+#include "foliation/labels.h"
+#include "hex/quality.h"
+
+namespace hexwall {
+namespace {
+
+// Kinds of cells in critical.vtp.
+constexpr int kind_zero = 0;
+constexpr int kind_horizontal = 1;
+constexpr int kind_vertical = 2;
+
+// Triangles with three points of their own, so that values may jump between triangles.
+PolyData separate_triangles(const TriangleSurface& surface) {
+  PolyData data;
+  data.points.reserve(3 * surface.triangles.size());
+  data.polygons.reserve(surface.triangles.size(), 3);
+  for (const auto& triangle : surface.triangles) {
+    const int first = static_cast<int>(data.points.size());
+    for (const int v : triangle) data.points.push_back(surface.points[v]);
+    data.polygons.add(std::array{first, first + 1, first + 2});
+  }
+  return data;
+}
+
+std::vector<double> at_corners(const TriangleSurface& surface, const Eigen::VectorXd& values) {
+  std::vector<double> result;
+  result.reserve(3 * surface.triangles.size());
+  for (const auto& triangle : surface.triangles) {
+    for (const int v : triangle) result.push_back(values[v]);
+  }
+  return result;
+}
+
+// |grad y| on each triangle.
+std::vector<double> scale_factors(const TriangleSurface& surface, const Eigen::VectorXd& y) {
+  std::vector<double> result;
+  result.reserve(surface.triangles.size());
+  for (int f = 0; f < static_cast<int>(surface.triangles.size()); ++f) {
+    const auto& t = surface.triangles[f];
+    Vec3 rotated = Vec3::Zero();
+    for (int k = 0; k < 3; ++k) {
+      rotated += y[t[k]] * (surface.points[t[(k + 2) % 3]] - surface.points[t[(k + 1) % 3]]);
+    }
+    result.push_back(rotated.norm() / doubled_area_vector(surface, f).norm());
+  }
+  return result;
+}
+
+// A closed form integrated over each triangle, continued from triangle to triangle: its values at
+// the corners jump by periods only.
+std::vector<double> integrate(const Connectivity& mesh, const OneForm& form) {
+  std::vector<double> x(mesh.halfedge_count(), 0.0);
+  std::vector<bool> seen(mesh.face_count(), false);
+  std::vector<int> queue{0};
+  seen[0] = true;
+  for (std::size_t i = 0; i < queue.size(); ++i) {
+    const int f = queue[i];
+    const auto set_from = [&](int h, double value) {
+      for (int k = 0; k < 3; ++k, h = Connectivity::next(h)) {
+        x[h] = value;
+        value += form.along(mesh, h);
+      }
+    };
+    if (i == 0) set_from(3 * f, 0.0);
+    for (int h = 3 * f; h < 3 * f + 3; ++h) {
+      const int twin = mesh.twin(h);
+      if (twin < 0 || seen[Connectivity::face(twin)]) continue;
+      seen[Connectivity::face(twin)] = true;
+      set_from(twin, x[Connectivity::next(h)]);
+      queue.push_back(Connectivity::face(twin));
+    }
+  }
+  return x;
+}
+
+void add_polyline(PolyData& data, const std::vector<Vec3>& points) {
+  std::vector<int> ids;
+  ids.reserve(points.size());
+  for (const Vec3& p : points) {
+    ids.push_back(static_cast<int>(data.points.size()));
+    data.points.push_back(p);
+  }
+  data.lines.add(ids);
+}
+
+}  // namespace
+
+PolyData surface_data(const PipelineResult& r) {
+  const TriangleSurface& surface = r.refined.surface;
+  const SurfaceLabels labels = label_surface(r.refined_connectivity, r.form, r.foliation,
+                                             r.numbers.across, r.numbers.along);
+  PolyData data = separate_triangles(surface);
+  std::vector<double> x;
+  std::vector<double> uv;
+  for (std::size_t f = 0; f < surface.triangles.size(); ++f) {
+    x.insert(x.end(), labels.x[f].begin(), labels.x[f].end());
+    uv.insert(uv.end(), labels.uv[f].begin(), labels.uv[f].end());
+  }
+  data.point_arrays.push_back({"y", 1, at_corners(surface, r.form.y)});
+  data.point_arrays.push_back({"x", 1, std::move(x)});
+  data.point_arrays.push_back({"uv", 2, std::move(uv)});
+  data.texture_coordinates = "uv";
+  data.cell_arrays.push_back({"cylinder", 1, labels.cylinder});
+  data.cell_arrays.push_back({"patch", 1, labels.patch});
+  data.cell_arrays.push_back({"input_triangle", 1, r.refined.parent_face});
+  data.cell_arrays.push_back({"scale_factor", 1, scale_factors(surface, r.form.y)});
+  return data;
+}
+
+PolyData critical_data(const PipelineResult& r) {
+  PolyData data;
+  std::vector<int> kinds;
+  std::vector<double> orders;
+  for (const Zero& zero : r.foliation.graph.zeros) {
+    data.vertices.add(std::array{static_cast<int>(data.points.size())});
+    data.points.push_back(r.refined.surface.points[zero.vertex]);
+    kinds.push_back(kind_zero);
+    orders.push_back(0.5 * zero.doubled_order);
+  }
+  for (const Arc& arc : r.foliation.graph.arcs) {
+    std::vector<Vec3> points;
+    for (const EdgePoint& p : arc.curve.points) {
+      points.push_back(position(r.refined.surface, r.refined_connectivity, p));
+    }
+    add_polyline(data, points);
+    kinds.push_back(kind_horizontal);
+    orders.push_back(0.0);
+  }
+  for (const std::vector<int>& line : r.conformal.vertical_lines) {
+    std::vector<Vec3> points;
+    for (const int v : line) points.push_back(r.conformal.mesh.points[v]);
+    add_polyline(data, points);
+    kinds.push_back(kind_vertical);
+    orders.push_back(0.0);
+  }
+  data.cell_arrays.push_back({"kind", 1, std::move(kinds)});
+  data.cell_arrays.push_back({"order", 1, std::move(orders)});
+  data.strings.push_back({"kind_names", {"zero", "horizontal", "vertical"}});
+  return data;
+}
+
+PolyData quad_data(const PipelineResult& r) {
+  PolyData data;
+  data.points = r.quads.points;
+  data.polygons.reserve(r.quads.quads.size(), 4);
+  for (const auto& quad : r.quads.quads) data.polygons.add(quad);
+  data.point_arrays.push_back({"loop", 1, r.quads.loop_of_vertex});
+  data.point_arrays.push_back({"thickness", 1, r.wall.thickness});
+  data.cell_arrays.push_back({"cylinder", 1, r.quads.cylinder});
+  data.cell_arrays.push_back({"patch", 1, r.quads.patch});
+  data.cell_arrays.push_back({"scaled_jacobian", 1, r.quad_quality.scaled_jacobian});
+  FieldStrings names{"loop_names", {}};
+  for (const Opening& opening : r.openings) names.values.push_back(opening.name);
+  data.strings.push_back(std::move(names));
+  return data;
+}
+
+PolyData basis_data(const PipelineResult& r) {
+  const TriangleSurface& surface = r.refined.surface;
+  const Eigen::MatrixXd g = potentials(r.basis);
+  PolyData data = separate_triangles(surface);
+  for (int i = 0; i < r.basis.size(); ++i) {
+    const std::string loop = r.openings[r.basis.loop(i)].name;
+    std::vector<double> x = integrate(r.refined_connectivity, r.basis.omega_form(i));
+    const std::vector<double> y = at_corners(surface, g.col(i));
+    std::vector<double> phi;
+    phi.reserve(2 * x.size());
+    for (std::size_t c = 0; c < x.size(); ++c) phi.insert(phi.end(), {x[c], y[c]});
+    data.point_arrays.push_back({"f_" + loop, 1, at_corners(surface, r.basis.f.col(i))});
+    data.point_arrays.push_back({"omega_" + loop, 1, std::move(x)});
+    data.point_arrays.push_back({"phi_" + loop, 2, std::move(phi)});
+  }
+  data.texture_coordinates = "phi_" + r.openings[r.basis.loop(0)].name;
+  return data;
+}
+
+void write_wall(const std::filesystem::path& path, const PipelineResult& r) {
+  std::vector<int> cylinder;
+  std::vector<int> patch;
+  for (const int quad : r.wall.mesh.quad) {
+    cylinder.push_back(r.quads.cylinder[quad]);
+    patch.push_back(r.quads.patch[quad]);
+  }
+  write_vtu(path, r.wall.mesh,
+            {{"cylinder", 1, std::move(cylinder)},
+             {"patch", 1, std::move(patch)},
+             {"scaled_jacobian", 1, r.wall.scaled_jacobian}});
+}
+
+}  // namespace hexwall

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <filesystem>
+
+#include "exporters/vtk_files.h"
+#include "pipeline.h"
+
+namespace hexwall {
+
+/// `surface.vtp`: the input's triangles (split where the Delaunay refinement split them), three
+/// points each, with y, x, the texture coordinates `uv`, scale factor, cylinder and patch.
+PolyData surface_data(const PipelineResult& result);
+
+/// `critical.vtp`: zeros as points; horizontal and vertical critical trajectories as polylines.
+PolyData critical_data(const PipelineResult& result);
+
+/// `quads.vtp`: the quad mesh with cylinder, patch and scaled Jacobian of each quad, thickness of
+/// the wall at each point.
+PolyData quad_data(const PipelineResult& result);
+
+/// `basis.vtp`: f_i, omega_i (integrated) and phi_i = (x_i, y_i) of every basis form.
+PolyData basis_data(const PipelineResult& result);
+
+/// `wall.vtu`: the hexes with layer, zone, cylinder, patch and scaled Jacobian.
+void write_wall(const std::filesystem::path& path, const PipelineResult& result);
+
+}  // namespace hexwall

@@ -1,0 +1,186 @@
+#include "exporters/vtk_files.h"
+
+#include <algorithm>
+
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkCellType.h>
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkFloatArray.h>
+#include <vtkIntArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+#include <vtkStringArray.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkXMLPolyDataWriter.h>
+#include <vtkXMLUnstructuredGridWriter.h>
+
+#include "core/errors.h"
+#include "exporters/hex_faces.h"
+#include "exporters/output_file.h"
+
+namespace hexwall {
+namespace {
+
+template <typename T>
+struct VtkArrayOf;
+template <>
+struct VtkArrayOf<double> {
+  using Type = vtkDoubleArray;
+};
+template <>
+struct VtkArrayOf<float> {
+  using Type = vtkFloatArray;
+};
+template <>
+struct VtkArrayOf<int> {
+  using Type = vtkIntArray;
+};
+
+template <typename T>
+auto to_vtk(const T* values, std::size_t count, int components) {
+  auto array = vtkSmartPointer<typename VtkArrayOf<T>::Type>::New();
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(count / components));
+  std::copy_n(values, count, array->GetPointer(0));
+  return array;
+}
+
+vtkSmartPointer<vtkDataArray> to_vtk(const DataArray& data) {
+  vtkSmartPointer<vtkDataArray> array = std::visit(
+      [&](const auto& values) -> vtkSmartPointer<vtkDataArray> {
+        return to_vtk(values.data(), values.size(), data.components);
+      },
+      data.values);
+  array->SetName(data.name.c_str());
+  return array;
+}
+
+vtkSmartPointer<vtkPoints> to_vtk(const std::vector<Vec3>& points) {
+  static_assert(sizeof(Vec3) == 3 * sizeof(double));
+  auto result = vtkSmartPointer<vtkPoints>::New();
+  const double* coordinates = points.empty() ? nullptr : points.front().data();
+  result->SetData(to_vtk(coordinates, 3 * points.size(), 3));
+  return result;
+}
+
+vtkSmartPointer<vtkCellArray> to_vtk(const CellList& cells) {
+  auto result = vtkSmartPointer<vtkCellArray>::New();
+  result->SetData(to_vtk(cells.offsets().data(), cells.offsets().size(), 1).Get(),
+                  to_vtk(cells.connectivity().data(), cells.connectivity().size(), 1).Get());
+  return result;
+}
+
+void add_array(vtkDataSetAttributes* target, const DataArray& array, std::size_t elements) {
+  const std::size_t size = std::visit([](const auto& v) { return v.size(); }, array.values);
+  if (array.components < 1 || size != elements * static_cast<std::size_t>(array.components))
+    throw Error(ExitCode::internal, "array " + array.name + " has " + std::to_string(size) +
+                                        " values for " + std::to_string(elements) + " elements");
+  target->AddArray(to_vtk(array));
+}
+
+void add_arrays(vtkDataSetAttributes* target, const std::vector<DataArray>& arrays,
+                std::size_t elements) {
+  for (const DataArray& array : arrays) add_array(target, array, elements);
+}
+
+void add_strings(vtkDataSet* target, const FieldStrings& strings) {
+  vtkNew<vtkStringArray> array;
+  array->SetName(strings.name.c_str());
+  for (const std::string& value : strings.values) array->InsertNextValue(value);
+  target->GetFieldData()->AddArray(array);
+}
+
+/// Serialises in memory: VTK reports no reason when writing a file fails, `write_output_file` does.
+template <typename Writer>
+void write_xml(const std::filesystem::path& path, vtkDataSet* data) {
+  vtkNew<Writer> writer;
+  writer->SetInputData(data);
+  writer->SetDataModeToAppended();
+  writer->EncodeAppendedDataOff();
+  writer->SetHeaderTypeToUInt64();
+  // LZ4 is twice as fast but gives files of twice the size, and meshio cannot read it.
+  writer->SetCompressorTypeToZLib();
+  writer->SetCompressionLevel(1);
+  writer->SetBlockSize(std::size_t{256} << 10);
+  writer->WriteToOutputStringOn();
+  if (writer->Write() == 0) throw WriteError("cannot write " + path.string() + ": VTK failed");
+  write_output_file(path, writer->GetOutputString());
+}
+
+template <typename Named>
+FieldStrings names_of(const std::string& name, const std::vector<Named>& list) {
+  FieldStrings names{name, {}};
+  for (const Named& item : list) names.values.push_back(item.name);
+  return names;
+}
+
+vtkSmartPointer<vtkCellArray> hex_cells(const HexMesh& mesh) {
+  std::vector<int> offsets(mesh.hexes.size() + 1);
+  for (std::size_t i = 0; i < offsets.size(); ++i) offsets[i] = static_cast<int>(8 * i);
+  const int* vertices = mesh.hexes.empty() ? nullptr : mesh.hexes.front().data();
+  auto cells = vtkSmartPointer<vtkCellArray>::New();
+  cells->SetData(to_vtk(offsets.data(), offsets.size(), 1).Get(),
+                 to_vtk(vertices, 8 * mesh.hexes.size(), 1).Get());
+  return cells;
+}
+
+std::vector<int> flattened(const HexFaceValues& values) {
+  std::vector<int> flat;
+  flat.reserve(6 * values.size());
+  for (const auto& of_hex : values) flat.insert(flat.end(), of_hex.begin(), of_hex.end());
+  return flat;
+}
+
+void add_mesh_data(vtkUnstructuredGrid* grid, const HexMesh& mesh) {
+  const std::vector<DataArray> arrays{
+      {"layer", 1, mesh.layer},
+      {"quad", 1, mesh.quad},
+      {"zone", 1, zone_of_hexes(mesh)},
+      {"patch_of_face", 6, flattened(patch_of_hex_faces(mesh))},
+  };
+  add_arrays(grid->GetCellData(), arrays, mesh.hexes.size());
+  add_strings(grid, names_of("patch_names", mesh.patches));
+  add_strings(grid, names_of("zone_names", mesh.zones));
+}
+
+}  // namespace
+
+void CellList::reserve(std::size_t cells, std::size_t points_per_cell) {
+  offsets_.reserve(cells + 1);
+  connectivity_.reserve(cells * points_per_cell);
+}
+
+void write_vtp(const std::filesystem::path& path, const PolyData& data) {
+  vtkNew<vtkPolyData> poly;
+  poly->SetPoints(to_vtk(data.points));
+  poly->SetVerts(to_vtk(data.vertices));
+  poly->SetLines(to_vtk(data.lines));
+  poly->SetPolys(to_vtk(data.polygons));
+  const std::size_t cells = data.vertices.size() + data.lines.size() + data.polygons.size();
+  add_arrays(poly->GetPointData(), data.point_arrays, data.points.size());
+  add_arrays(poly->GetCellData(), data.cell_arrays, cells);
+  if (!data.texture_coordinates.empty() &&
+      poly->GetPointData()->SetActiveTCoords(data.texture_coordinates.c_str()) < 0)
+    throw Error(ExitCode::internal, "no point array " + data.texture_coordinates);
+  for (const FieldStrings& strings : data.strings) add_strings(poly, strings);
+  write_xml<vtkXMLPolyDataWriter>(path, poly);
+}
+
+void write_vtu(const std::filesystem::path& path, const HexMesh& mesh,
+               const std::vector<DataArray>& cell_arrays,
+               const std::vector<DataArray>& point_arrays) {
+  vtkNew<vtkUnstructuredGrid> grid;
+  grid->SetPoints(to_vtk(mesh.points));
+  grid->SetCells(VTK_HEXAHEDRON, hex_cells(mesh));
+  add_mesh_data(grid, mesh);
+  add_arrays(grid->GetCellData(), cell_arrays, mesh.hexes.size());
+  add_arrays(grid->GetPointData(), point_arrays, mesh.points.size());
+  write_xml<vtkXMLUnstructuredGridWriter>(path, grid);
+}
+
+}  // namespace hexwall

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hex/hex_mesh.h"
+#include "quad/quad_mesh.h"
+
+namespace hexwall {
+
+struct ExtrudeOptions {
+  double thickness = 1.0;  ///< in the mesh's length unit, > 0
+  int layers = 3;          ///< >= 1
+  double growth = 1.0;     ///< ratio of the heights of successive layers, from the lumen out, > 0
+  double wanted_scaled_jacobian = 0.2;  ///< thickness is reduced where a hex falls below this
+};
+
+struct ExtrudeResult {
+  HexMesh mesh;
+  std::vector<double> thickness;       ///< #V of the quad mesh: thickness given
+  std::vector<double> scaled_jacobian; ///< #H
+  double min_scaled_jacobian = 0.0;
+  double thickness_min = 0.0;
+  double reduced_area_fraction = 0.0;  ///< share of the surface with less than 99 % of the thickness
+  int worst_vertex = -1;               ///< quad vertex of least thickness
+};
+
+/// Extrudes a quad mesh outward along `directions` into layers of hexahedra.
+///
+/// Where a hex would have a corner of scaled Jacobian below what is wanted, the thickness is reduced
+/// there, smoothly, until all corners are fine: no layer is ever dropped. A quad that is itself
+/// worse than wanted keeps half of its own scaled Jacobian as the bound.
+/// Patches: inner_wall, outer_wall, and one per boundary loop; zones layer_1 (at the lumen) … N.
+/// \param directions #V unit vectors, away from the lumen.
+/// \param loop_names one per boundary loop.
+/// \throws MeshingError if no positive thickness gives positive Jacobians.
+ExtrudeResult extrude(const QuadMesh& quads, std::vector<Vec3> directions,
+                      const std::vector<std::string>& loop_names, const ExtrudeOptions& options);
+
+/// A plane fitted to a loop of points: unit normal, centroid, mean radius, and the greatest
+/// distance of a point from it.
+struct LoopPlane {
+  Vec3 center;
+  Vec3 normal;
+  double radius = 0.0;
+  double deviation = 0.0;
+  bool is_planar() const;
+};
+LoopPlane fit_plane(const std::vector<Vec3>& loop);
+
+/// Turns the directions at vertices of planar loops into the plane of their loop, so that the end
+/// rings of the wall are flat. \param planes one per boundary loop.
+void flatten_at_loops(const QuadMesh& quads, const std::vector<LoopPlane>& planes,
+                      std::vector<Vec3>& directions);
+
+/// Heights of the layer boundaries as fractions of the thickness: layers + 1 values from 0 to 1.
+std::vector<double> layer_fractions(int layers, double growth);
+
+}  // namespace hexwall

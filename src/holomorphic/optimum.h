@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "holomorphic/energy.h"
+
+namespace hexwall {
+
+struct OptimumOptions {
+  int exhaustive_limit = 12;  ///< up to this n every sign pattern is a start
+  int search_restarts = 16;   ///< random patterns of the sign-flip search above that
+  std::uint64_t seed = 1;     ///< of the sign-flip search
+  int max_iterations = 200;   ///< of one trust-region descent
+};
+
+/// One descent: from a sign pattern to a local minimum.
+struct Descent {
+  std::vector<int> signs;         ///< n+1, the sign of each loop's circumference
+  double energy = 0.0;            ///< normalised energy at the end
+  std::vector<double> iterations; ///< energy after each iteration, never rising
+  Eigen::VectorXd lambda;         ///< n circumferences at the end
+};
+
+struct OptimumResult {
+  Eigen::VectorXd lambda;        ///< n circumferences (signed periods), in the input's length unit
+  double energy = 0.0;           ///< normalised
+  std::vector<Descent> descents; ///< one per start, in order of the starts
+  int best = 0;                  ///< index of the winner in `descents`
+};
+
+/// The form of least energy, by trust-region Newton descents from |lambda_i| = length of loop i
+/// with every pattern of signs (a loop can be a source or a sink): E has one family of local minima
+/// per pattern. Patterns run over all n+1 loops and are balanced so that the periods sum to zero;
+/// the choice of the exterior loop therefore does not matter. Above `exhaustive_limit` a seeded
+/// search flips single signs. The sign of the result is fixed: the circumference of greatest
+/// magnitude among all loops is positive.
+/// \param loop_lengths n+1 lengths; basis element i belongs to loop i < exterior ? i : i + 1.
+OptimumResult optimal_form(const AreaEnergy& energy, const std::vector<double>& loop_lengths,
+                           int exterior, const OptimumOptions& options = {});
+
+/// A trust-region Newton descent from `start`; `iterations` of the result starts with E(start).
+Descent descend(const AreaEnergy& energy, const Eigen::VectorXd& start, int max_iterations);
+
+}  // namespace hexwall

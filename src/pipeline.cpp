@@ -1,0 +1,228 @@
+#include "pipeline.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include <Eigen/Geometry>
+#include <fmt/format.h>
+
+#include "core/errors.h"
+#include "core/tolerances.h"
+#include "dec/operators.h"
+#include "holomorphic/energy.h"
+#include "surface/check.h"
+#include "surface/projector.h"
+
+namespace hexwall {
+namespace {
+
+constexpr double default_quad_count = 20000.0;
+constexpr double default_thickness_ratio = 0.1;
+// Conformal sizes beyond this ratio to the target are met near zeros and in blind sacs, where the
+// form's scale tends to 0: no quad should be asked to be that large or small.
+constexpr double greatest_size_ratio = 8.0;
+
+void require(bool holds, const std::string& message) {
+  if (!holds) throw UsageError(message);
+}
+
+void check_options(const PipelineOptions& options) {
+  const auto positive = [](double value) { return value > 0.0 && std::isfinite(value); };
+  require(!options.size || positive(*options.size), "--size must be a positive length");
+  require(!options.thickness || positive(*options.thickness),
+          "--thickness must be a positive length");
+  require(options.layers >= 1, "--layers must be at least 1");
+  require(positive(options.growth), "--growth must be a positive ratio");
+  require(options.relax >= 0.0 && options.relax <= 1.0, "--relax must lie between 0 and 1");
+}
+
+std::vector<Vec3> loop_points(const TriangleSurface& surface, const std::vector<int>& loop) {
+  std::vector<Vec3> points;
+  points.reserve(loop.size());
+  for (const int v : loop) points.push_back(surface.points[v]);
+  return points;
+}
+
+// Connectivity with the longest loop first, so that names do not depend on the file's order.
+void find_openings(PipelineResult& r) {
+  r.connectivity = Connectivity(static_cast<int>(r.surface.points.size()), r.surface.triangles);
+  const auto& loops = r.connectivity.loops();
+  std::vector<double> lengths;
+  for (const auto& loop : loops) {
+    lengths.push_back(LoopCurve(loop_points(r.surface, loop)).length());
+  }
+  std::vector<int> order(loops.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
+    return lengths[a] > lengths[b] * (1.0 + tolerance::loop_length);
+  });
+  r.connectivity.reorder_loops(order);
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    r.openings.push_back({fmt::format("loop_{}", i), lengths[order[i]],
+                          fit_plane(loop_points(r.surface, r.connectivity.loops()[i]))});
+  }
+  r.refined = make_delaunay(r.surface);
+  r.refined_connectivity = Connectivity(static_cast<int>(r.refined.surface.points.size()),
+                                        r.refined.surface.triangles);
+  r.refined_connectivity.reorder_loops(order);
+}
+
+void find_form(PipelineResult& r) {
+  const Eigen::MatrixXd g = potentials(r.basis);
+  const auto face_count = static_cast<int>(r.surface.triangles.size());
+  const Eigen::VectorXd rho = Eigen::VectorXd::Ones(face_count);
+  const auto energy =
+      area_energy({r.refined.surface, r.refined.parent_face, face_count, g, rho});
+  std::vector<double> lengths;
+  for (const Opening& opening : r.openings) lengths.push_back(opening.length);
+  r.optimum = optimal_form(*energy, lengths, r.basis.exterior);
+  r.form = combine(r.refined_connectivity, r.basis, r.optimum.lambda);
+}
+
+// Area of the image of the surface under (x, y): the Dirichlet energy of y.
+double conformal_area(const PipelineResult& r) {
+  const Eigen::VectorXd star = star1(r.refined.surface, r.refined_connectivity);
+  double sum = 0.0;
+  for (int e = 0; e < r.refined_connectivity.edge_count(); ++e) {
+    const int h = r.refined_connectivity.halfedge(e);
+    const double dy = r.form.y[r.refined_connectivity.tip(h)] -
+                      r.form.y[r.refined_connectivity.tail(h)];
+    sum += star[e] * dy * dy;
+  }
+  return sum;
+}
+
+// Integers such that quads of edge `size` would cover the area of the surface.
+void find_numbers(PipelineResult& r) {
+  const double area = total_area(r.surface);
+  if (!r.options.size) r.options.size = std::sqrt(area / default_quad_count);
+  QuantiseOptions options;
+  options.size = *r.options.size * std::sqrt(conformal_area(r) / area);
+  r.numbers = quantise(r.foliation.cylinders, r.foliation.strips, options);
+}
+
+// Target size per quad: between its conformal size and the size asked for, geometrically.
+std::vector<double> target_sizes(const PipelineResult& r) {
+  const QuadMesh& mesh = r.conformal.mesh;
+  const double size = *r.options.size;
+  std::vector<double> targets;
+  targets.reserve(mesh.quads.size());
+  for (int q = 0; q < static_cast<int>(mesh.quads.size()); ++q) {
+    const double area = 0.5 * doubled_area_vector(corners_of(mesh, q)).norm();
+    const double ratio = std::clamp(std::sqrt(area) / size, 1.0 / greatest_size_ratio,
+                                    greatest_size_ratio);
+    targets.push_back(size * std::pow(ratio, 1.0 - r.options.relax));
+  }
+  return targets;
+}
+
+std::vector<SurfacePoint> relax_quads(PipelineResult& r) {
+  r.quads = r.conformal.mesh;
+  std::vector<int> face;
+  face.reserve(r.conformal.face.size());
+  for (const int f : r.conformal.face) face.push_back(r.refined.parent_face[f]);
+  r.relaxation = relax(r.quads, face, target_sizes(r), r.surface, r.connectivity);
+  r.quad_quality = quad_quality(r.quads, *r.options.size);
+  std::vector<SurfacePoint> places;
+  places.reserve(face.size());
+  for (std::size_t v = 0; v < face.size(); ++v) places.push_back({face[v], r.quads.points[v]});
+  return places;
+}
+
+// Mean radius of the vessel: each quad's ring of quads around the vessel, taken as a circle.
+double mean_radius(const PipelineResult& r) {
+  double area_sum = 0.0;
+  double sum = 0.0;
+  for (int q = 0; q < static_cast<int>(r.quads.quads.size()); ++q) {
+    const auto p = corners_of(r.quads, q);
+    const double width = 0.5 * ((p[1] - p[0]).norm() + (p[2] - p[3]).norm());
+    const double ring = width * r.numbers.around(r.foliation.strips, r.quads.cylinder[q]);
+    const double area = 0.5 * doubled_area_vector(p).norm();
+    area_sum += area;
+    sum += area * ring / (2.0 * std::numbers::pi);
+  }
+  return sum / area_sum;
+}
+
+void extrude_wall(PipelineResult& r, const std::vector<SurfacePoint>& places) {
+  if (!r.options.thickness) r.options.thickness = default_thickness_ratio * mean_radius(r);
+  std::vector<Vec3> directions = interpolated_normals(r.surface, places);
+  std::vector<LoopPlane> planes;
+  std::vector<std::string> names;
+  for (const Opening& opening : r.openings) {
+    planes.push_back(opening.plane);
+    names.push_back(opening.name);
+  }
+  flatten_at_loops(r.quads, planes, directions);
+  ExtrudeOptions options;
+  options.thickness = *r.options.thickness;
+  options.layers = r.options.layers;
+  options.growth = r.options.growth;
+  r.wall = extrude(r.quads, std::move(directions), names, options);
+}
+
+void collect_warnings(PipelineResult& r) {
+  for (const Opening& opening : r.openings) {
+    if (opening.plane.is_planar()) continue;
+    r.warnings.push_back(fmt::format(
+        "{} at ({:.6g}, {:.6g}, {:.6g}) is not planar (off by {:.3g}): its end ring is not flat",
+        opening.name, opening.plane.center.x(), opening.plane.center.y(),
+        opening.plane.center.z(), opening.plane.deviation));
+  }
+  if (r.refined.negative_edges > 0) {
+    r.warnings.push_back(fmt::format("{} edges could not be made Delaunay: the triangles are very "
+                                     "distorted; remesh the surface", r.refined.negative_edges));
+  }
+  if (r.quad_quality.off_size_area_fraction > 0.1) {
+    r.warnings.push_back(fmt::format(
+        "{:.0f} % of the area lies in quads more than 2x off the size asked for: blind regions "
+        "such as an aneurysm's dome are covered coarsely",
+        100.0 * r.quad_quality.off_size_area_fraction));
+  }
+  if (r.wall.reduced_area_fraction > 0.0) {
+    const Vec3& at = r.quads.points[r.wall.worst_vertex];
+    r.warnings.push_back(fmt::format(
+        "the wall is thinner than asked on {:.3g} % of the area, least at ({:.6g}, {:.6g}, "
+        "{:.6g}): {:.4g} instead of {:.4g}", 100.0 * r.wall.reduced_area_fraction, at.x(), at.y(),
+        at.z(), r.wall.thickness_min, *r.options.thickness));
+  }
+}
+
+}  // namespace
+
+PipelineResult run_pipeline(const TriangleSurface& surface, const PipelineOptions& options,
+                            const ProgressCallback& progress) {
+  check_options(options);
+  PipelineResult r;
+  r.options = options;
+  StageClock clock(progress, 8);
+  clock.begin("check");
+  CheckResult check = check_surface(surface);
+  r.surface = std::move(check.surface);
+  r.warnings = std::move(check.notes);
+  clock.begin("refine");
+  find_openings(r);
+  clock.begin("forms");
+  const Eigen::VectorXd star = star1(r.refined.surface, r.refined_connectivity);
+  r.basis = holomorphic_basis(r.refined_connectivity, star);
+  clock.begin("optimum");
+  find_form(r);
+  clock.begin("foliation");
+  r.foliation = foliate(r.refined_connectivity, r.form);
+  clock.begin("quads");
+  find_numbers(r);
+  r.conformal = extract_quads(r.refined.surface, r.refined_connectivity, r.form, r.foliation,
+                              r.numbers);
+  clock.begin("relax");
+  const std::vector<SurfacePoint> places = relax_quads(r);
+  clock.begin("wall");
+  extrude_wall(r, places);
+  collect_warnings(r);
+  clock.end();
+  r.times = clock.times();
+  return r;
+}
+
+}  // namespace hexwall

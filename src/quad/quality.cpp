@@ -1,0 +1,107 @@
+#include "quad/quality.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <Eigen/Geometry>
+
+namespace hexwall {
+namespace {
+
+double corner_angle(const std::array<Vec3, 4>& p, int k) {
+  const Vec3 u = p[(k + 1) % 4] - p[k];
+  const Vec3 v = p[(k + 3) % 4] - p[k];
+  return std::atan2(u.cross(v).norm(), u.dot(v));
+}
+
+int count_irregular(const QuadMesh& mesh) {
+  std::vector<int> valence(mesh.points.size(), 0);
+  for (const auto& quad : mesh.quads) {
+    for (const int v : quad) ++valence[v];
+  }
+  int irregular = 0;
+  for (std::size_t v = 0; v < valence.size(); ++v) {
+    if (mesh.loop_of_vertex[v] < 0 && valence[v] != 4) ++irregular;
+  }
+  return irregular;
+}
+
+std::array<double, 5> edge_quantiles(const QuadMesh& mesh, double target) {
+  std::vector<double> lengths;
+  for (const auto& [a, b] : edges_of(mesh)) {
+    lengths.push_back((mesh.points[a] - mesh.points[b]).norm() / target);
+  }
+  std::sort(lengths.begin(), lengths.end());
+  std::array<double, 5> result{};
+  const std::array<double, 5> levels{0.01, 0.05, 0.5, 0.95, 0.99};
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    const double rank = levels[i] * static_cast<double>(lengths.size() - 1);
+    result[i] = lengths[static_cast<std::size_t>(std::lround(rank))];
+  }
+  return result;
+}
+
+}  // namespace
+
+Vec3 doubled_area_vector(const std::array<Vec3, 4>& p) { return (p[2] - p[0]).cross(p[3] - p[1]); }
+
+double scaled_jacobian(const std::array<Vec3, 4>& p) {
+  const Vec3 normal = doubled_area_vector(p).normalized();
+  double least = 1.0;
+  for (int k = 0; k < 4; ++k) {
+    const Vec3 u = p[(k + 1) % 4] - p[k];
+    const Vec3 v = p[(k + 3) % 4] - p[k];
+    const double scale = u.norm() * v.norm();
+    least = std::min(least, scale > 0.0 ? u.cross(v).dot(normal) / scale : 0.0);
+  }
+  return least;
+}
+
+std::array<Vec3, 4> corners_of(const QuadMesh& mesh, int quad) {
+  const auto& q = mesh.quads[quad];
+  return {mesh.points[q[0]], mesh.points[q[1]], mesh.points[q[2]], mesh.points[q[3]]};
+}
+
+std::vector<std::array<int, 2>> edges_of(const QuadMesh& mesh) {
+  std::vector<std::array<int, 2>> edges;
+  edges.reserve(4 * mesh.quads.size());
+  for (const auto& quad : mesh.quads) {
+    for (int k = 0; k < 4; ++k) {
+      const auto [low, high] = std::minmax(quad[k], quad[(k + 1) % 4]);
+      edges.push_back({low, high});
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  return edges;
+}
+
+QuadQuality quad_quality(const QuadMesh& mesh, double target) {
+  QuadQuality result;
+  result.irregular = count_irregular(mesh);
+  double squares = 0.0;
+  double area = 0.0;
+  double off_size_area = 0.0;
+  for (int q = 0; q < static_cast<int>(mesh.quads.size()); ++q) {
+    const auto corners = corners_of(mesh, q);
+    result.scaled_jacobian.push_back(scaled_jacobian(corners));
+    for (int k = 0; k < 4; ++k) {
+      const double off = corner_angle(corners, k) - 0.5 * std::numbers::pi;
+      squares += off * off;
+    }
+    const double quad_area = 0.5 * doubled_area_vector(corners).norm();
+    const double side = std::sqrt(quad_area) / target;
+    area += quad_area;
+    if (side > 2.0 || side < 0.5) off_size_area += quad_area;
+  }
+  const auto corners = static_cast<double>(4 * mesh.quads.size());
+  result.angle_stddev_deg = std::sqrt(squares / corners) * 180.0 / std::numbers::pi;
+  result.min_scaled_jacobian =
+      *std::min_element(result.scaled_jacobian.begin(), result.scaled_jacobian.end());
+  result.edge_length_quantiles = edge_quantiles(mesh, target);
+  result.off_size_area_fraction = off_size_area / area;
+  return result;
+}
+
+}  // namespace hexwall

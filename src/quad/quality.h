@@ -1,0 +1,35 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "quad/quad_mesh.h"
+
+namespace hexwall {
+
+/// Scaled Jacobian of a quad in space: the least over its corners of the sine of the corner angle,
+/// signed by the quad's mean normal (Verdict's definition). 1 for a rectangle, <= 0 when inverted.
+double scaled_jacobian(const std::array<Vec3, 4>& corners);
+
+/// Corner positions of a quad.
+std::array<Vec3, 4> corners_of(const QuadMesh& mesh, int quad);
+
+/// Doubled area vector of a quad: half the cross product of its diagonals, times two.
+Vec3 doubled_area_vector(const std::array<Vec3, 4>& corners);
+
+struct QuadQuality {
+  int irregular = 0;                   ///< interior vertices of valence other than 4
+  double angle_stddev_deg = 0.0;       ///< root mean square of corner angle - 90 degrees
+  double min_scaled_jacobian = 0.0;
+  std::vector<double> scaled_jacobian; ///< #Q
+  std::array<double, 5> edge_length_quantiles{};  ///< 1, 5, 50, 95, 99 %, relative to the target
+  double off_size_area_fraction = 0.0; ///< share of the area in quads more than 2x off in length
+};
+
+/// \param target edge length wanted, in the mesh's length unit.
+QuadQuality quad_quality(const QuadMesh& mesh, double target);
+
+/// Distinct edges as vertex pairs, the lower number first, in lexicographic order.
+std::vector<std::array<int, 2>> edges_of(const QuadMesh& mesh);
+
+}  // namespace hexwall

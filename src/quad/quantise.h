@@ -1,0 +1,28 @@
+#pragma once
+
+#include <vector>
+
+#include "foliation/foliation.h"
+
+namespace hexwall {
+
+struct QuantiseOptions {
+  double size = 1.0;       ///< target edge length in the (x, y) plane
+  int fewest_around = 8;   ///< quads around any cylinder
+};
+
+/// Integers for strips and cylinders. Any positive choice gives a conforming all-quad mesh.
+struct Quantisation {
+  std::vector<int> across;  ///< per strip: quads across, >= 1
+  std::vector<int> along;   ///< per cylinder: quads along, >= 1
+
+  int around(const Strips& strips, int cylinder) const;  ///< quads around a cylinder
+  long quad_count(const Strips& strips) const;
+};
+
+/// Rounds strip widths and cylinder heights: a local search over single and paired steps of +-1 on
+/// the sum of squared relative errors of the circumferences (weighted 4:1) and of the strips.
+Quantisation quantise(const std::vector<Cylinder>& cylinders, const Strips& strips,
+                      const QuantiseOptions& options);
+
+}  // namespace hexwall

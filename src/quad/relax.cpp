@@ -1,0 +1,177 @@
+#include "quad/relax.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <Eigen/Geometry>
+
+#include "core/parallel.h"
+#include "quad/quality.h"
+#include "surface/projector.h"
+
+namespace hexwall {
+namespace {
+
+using Corners = std::array<Vec3, 4>;
+
+// The square nearest to a quad (least squares over position and turn), with its half diagonal
+// pulled towards that of the target size.
+Corners fitted_square(const Corners& p, double size, double size_weight) {
+  const Vec3 center = 0.25 * (p[0] + p[1] + p[2] + p[3]);
+  const Vec3 normal = doubled_area_vector(p).normalized();
+  const Vec3 first = p[0] - p[2];
+  const Vec3 second = p[1] - p[3];
+  Vec3 v = 0.25 * (first - normal.cross(second));
+  v -= v.dot(normal) * normal;
+  const double length = v.norm();
+  const double wanted = size / std::sqrt(2.0);
+  if (length > 0.0) v *= std::pow(wanted / length, size_weight);
+  const Vec3 w = normal.cross(v);
+  return {center + v, center + w, center - v, center - w};
+}
+
+class Relaxer {
+ public:
+  Relaxer(QuadMesh& mesh, std::vector<int>& face, const std::vector<double>& size,
+          const TriangleSurface& surface, const Connectivity& connectivity,
+          const RelaxOptions& options)
+      : mesh_(mesh),
+        face_(face),
+        size_(size),
+        options_(options),
+        projector_(surface, connectivity),
+        first_corner_(mesh.points.size() + 1, 0),
+        corners_(4 * mesh.quads.size()),
+        targets_(mesh.quads.size()),
+        segment_(mesh.points.size(), 0) {
+    index_corners();
+    for (const auto& loop : connectivity.loops()) {
+      std::vector<Vec3> points;
+      for (const int v : loop) points.push_back(surface.points[v]);
+      loops_.emplace_back(std::move(points));
+    }
+    find_segments();
+  }
+
+  RelaxResult run() {
+    for (int i = 0; i < options_.iterations; ++i) {
+      step();
+      ++result_.iterations;
+    }
+    return result_;
+  }
+
+ private:
+  // corners_[first_corner_[v] ...] lists 4 q + k for each corner k of a quad q at v.
+  void index_corners() {
+    for (const auto& quad : mesh_.quads) {
+      for (const int v : quad) ++first_corner_[v + 1];
+    }
+    for (std::size_t v = 0; v + 1 < first_corner_.size(); ++v) {
+      first_corner_[v + 1] += first_corner_[v];
+    }
+    std::vector<int> next(first_corner_.begin(), first_corner_.end() - 1);
+    for (std::size_t q = 0; q < mesh_.quads.size(); ++q) {
+      for (int k = 0; k < 4; ++k) corners_[next[mesh_.quads[q][k]]++] = static_cast<int>(4 * q) + k;
+    }
+  }
+
+  // The segment of its loop on which each loop vertex lies: the nearest of all.
+  void find_segments() {
+    parallel_for(mesh_.points.size(), [&](std::size_t v) {
+      if (mesh_.loop_of_vertex[v] < 0) return;
+      const LoopCurve& loop = loops_[mesh_.loop_of_vertex[v]];
+      double least = std::numeric_limits<double>::max();
+      for (int s = 0; s < loop.segment_count(); ++s) {
+        int reached = s;
+        const double distance = (loop.project(mesh_.points[v], reached) - mesh_.points[v]).norm();
+        if (distance < least) {
+          least = distance;
+          segment_[v] = reached;
+        }
+      }
+    });
+  }
+
+  void step() {
+    parallel_for(mesh_.quads.size(), [&](std::size_t q) {
+      targets_[q] = fitted_square(corners_of(mesh_, static_cast<int>(q)), size_[q],
+                                  options_.size_weight);
+    });
+    moved_ = mesh_;
+    moved_face_ = face_;
+    moved_segment_ = segment_;
+    parallel_for(mesh_.points.size(), [&](std::size_t v) { move_vertex(static_cast<int>(v)); });
+    undo_harmful_moves();
+    std::swap(mesh_.points, moved_.points);
+    std::swap(face_, moved_face_);
+    std::swap(segment_, moved_segment_);
+  }
+
+  void move_vertex(int v) {
+    Vec3 sum = Vec3::Zero();
+    for (int i = first_corner_[v]; i < first_corner_[v + 1]; ++i) {
+      sum += targets_[corners_[i] / 4][corners_[i] % 4];
+    }
+    const Vec3 p = sum / (first_corner_[v + 1] - first_corner_[v]);
+    if (mesh_.loop_of_vertex[v] >= 0) {
+      moved_.points[v] = loops_[mesh_.loop_of_vertex[v]].project(p, moved_segment_[v]);
+    } else {
+      const SurfacePoint point = projector_.project(p, face_[v]);
+      moved_.points[v] = point.position;
+      moved_face_[v] = point.face;
+    }
+  }
+
+  // Takes back the moves of all corners of quads that would become worse than the worst one was.
+  void undo_harmful_moves() {
+    std::vector<double> before(mesh_.quads.size());
+    parallel_for(before.size(), [&](std::size_t q) {
+      before[q] = scaled_jacobian(corners_of(mesh_, static_cast<int>(q)));
+    });
+    const double worst = *std::min_element(before.begin(), before.end());
+    std::vector<char> harmful(before.size());
+    for (bool any = true; any;) {
+      parallel_for(before.size(), [&](std::size_t q) {
+        harmful[q] = scaled_jacobian(corners_of(moved_, static_cast<int>(q))) < worst ? 1 : 0;
+      });
+      any = false;
+      for (std::size_t q = 0; q < before.size(); ++q) {
+        if (harmful[q] == 0) continue;
+        for (const int v : mesh_.quads[q]) any = undo(v) || any;
+      }
+    }
+  }
+
+  bool undo(int v) {
+    if (moved_.points[v] == mesh_.points[v]) return false;
+    moved_.points[v] = mesh_.points[v];
+    moved_face_[v] = face_[v];
+    moved_segment_[v] = segment_[v];
+    ++result_.frozen_moves;
+    return true;
+  }
+
+  QuadMesh& mesh_;
+  std::vector<int>& face_;
+  const std::vector<double>& size_;
+  const RelaxOptions& options_;
+  SurfaceProjector projector_;
+  std::vector<LoopCurve> loops_;
+  std::vector<int> first_corner_, corners_;
+  std::vector<Corners> targets_;
+  std::vector<int> segment_, moved_face_, moved_segment_;
+  QuadMesh moved_;
+  RelaxResult result_;
+};
+
+}  // namespace
+
+RelaxResult relax(QuadMesh& mesh, std::vector<int>& face, const std::vector<double>& size,
+                  const TriangleSurface& surface, const Connectivity& connectivity,
+                  const RelaxOptions& options) {
+  return Relaxer(mesh, face, size, surface, connectivity, options).run();
+}
+
+}  // namespace hexwall

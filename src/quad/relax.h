@@ -1,0 +1,34 @@
+#pragma once
+
+#include <vector>
+
+#include "quad/quad_mesh.h"
+#include "surface/connectivity.h"
+#include "surface/triangle_surface.h"
+
+namespace hexwall {
+
+struct RelaxOptions {
+  int iterations = 60;
+  double size_weight = 0.5;  ///< how hard each square is pulled to its target size, 0 … 1
+};
+
+struct RelaxResult {
+  int iterations = 0;
+  int frozen_moves = 0;  ///< vertex moves refused because a quad would have become worse than the
+                         ///< worst one
+};
+
+/// Moves the vertices of a quad mesh on the input surface towards square quads of given sizes.
+///
+/// Each iteration fits a square to every quad and moves each vertex to the mean of its corners
+/// (shape-up, after Bouaziz et al., "Shape-Up", SGP 2012, with Jacobi steps), then back on the
+/// surface; vertices of a boundary loop slide along their loop. A step never lowers the minimum
+/// scaled Jacobian of the mesh.
+/// \param face #V triangle of `surface` on which each vertex lies; updated.
+/// \param size #Q target edge length of each quad.
+RelaxResult relax(QuadMesh& mesh, std::vector<int>& face, const std::vector<double>& size,
+                  const TriangleSurface& surface, const Connectivity& connectivity,
+                  const RelaxOptions& options = {});
+
+}  // namespace hexwall

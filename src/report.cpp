@@ -1,0 +1,191 @@
+#include "report.h"
+
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <numbers>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "surface/triangle_surface.h"
+
+namespace hexwall {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int report_version = 1;
+
+Json vector_json(const Vec3& p) { return Json::array({p.x(), p.y(), p.z()}); }
+
+Json options_json(const PipelineOptions& options, const std::string& units) {
+  return {{"size", *options.size},     {"thickness", *options.thickness},
+          {"layers", options.layers},  {"growth", options.growth},
+          {"relax", options.relax},    {"poles", "off"},
+          {"units", units}};
+}
+
+Json input_json(const PipelineResult& r, const ReportContext& context) {
+  Json loops = Json::array();
+  for (const Opening& opening : r.openings) {
+    loops.push_back({{"name", opening.name},
+                     {"length", opening.length},
+                     {"radius", opening.plane.radius},
+                     {"center", vector_json(opening.plane.center)},
+                     {"normal", vector_json(opening.plane.normal)},
+                     {"planar", opening.plane.is_planar()}});
+  }
+  return {{"file", context.input_file},
+          {"vertices", r.surface.points.size()},
+          {"faces", r.surface.triangles.size()},
+          {"loops", r.openings.size()},
+          {"area", total_area(r.surface)},
+          {"bounding_box_diagonal", bounding_box_diagonal(r.surface)},
+          {"openings", std::move(loops)},
+          {"notes", context.notes}};
+}
+
+Json energy_json(const OptimumResult& optimum) {
+  Json starts = Json::array();
+  for (const Descent& descent : optimum.descents) {
+    starts.push_back({{"signs", descent.signs},
+                      {"energy", descent.energy},
+                      {"iterations", descent.iterations.size() - 1}});
+  }
+  return {{"normalized", optimum.energy},
+          {"best_start", optimum.best},
+          {"iterations", optimum.descents[optimum.best].iterations},
+          {"starts", std::move(starts)}};
+}
+
+Json foliation_json(const PipelineResult& r) {
+  std::vector<double> circumferences;
+  std::vector<double> heights;
+  for (const Cylinder& c : r.foliation.cylinders) {
+    circumferences.push_back(c.circumference());
+    heights.push_back(c.height());
+  }
+  std::vector<double> periods(r.form.periods.begin(), r.form.periods.end());
+  return {{"zeros",
+           {{"interior", r.foliation.interior_zeros()},
+            {"boundary_halves", r.foliation.boundary_half_zeros()},
+            {"total_order", 0.5 * r.foliation.doubled_order()}}},
+          {"periods", std::move(periods)},
+          {"cylinders",
+           {{"count", r.foliation.cylinders.size()},
+            {"circumference", std::move(circumferences)},
+            {"height", std::move(heights)},
+            {"quads_along", r.numbers.along}}},
+          {"strips",
+           {{"count", r.foliation.strips.count()},
+            {"width", r.foliation.strips.width},
+            {"quads_across", r.numbers.across}}},
+          {"corrected_level_curves", r.foliation.corrected_arcs() + r.conformal.corrected_levels}};
+}
+
+Json quads_json(const PipelineResult& r) {
+  const QuadQuality& quality = r.quad_quality;
+  const auto& quantiles = quality.edge_length_quantiles;
+  return {{"count", r.quads.quads.size()},
+          {"vertices", r.quads.points.size()},
+          {"irregular", quality.irregular},
+          {"angle_stddev_deg", quality.angle_stddev_deg},
+          {"min_scaled_jacobian", quality.min_scaled_jacobian},
+          {"edge_length_quantiles",
+           {{"1%", quantiles[0]}, {"5%", quantiles[1]}, {"50%", quantiles[2]},
+            {"95%", quantiles[3]}, {"99%", quantiles[4]}}},
+          {"off_size_area_fraction", quality.off_size_area_fraction},
+          {"relax_iterations", r.relaxation.iterations}};
+}
+
+Json wall_json(const PipelineResult& r) {
+  Json json = {{"hexes", r.wall.mesh.hexes.size()},
+               {"vertices", r.wall.mesh.points.size()},
+               {"layers", r.options.layers},
+               {"min_scaled_jacobian", r.wall.min_scaled_jacobian},
+               {"thickness_asked", *r.options.thickness},
+               {"thickness_min", r.wall.thickness_min},
+               {"reduced_area_fraction", r.wall.reduced_area_fraction}};
+  if (r.wall.reduced_area_fraction > 0.0) {
+    json["thinnest_at"] = vector_json(r.quads.points[r.wall.worst_vertex]);
+  }
+  return json;
+}
+
+Json seconds_json(const PipelineResult& r, const ReportContext& context) {
+  double total = 0.0;
+  Json json = {{"total", 0.0}};
+  for (const auto* times : {&context.io_times, &r.times}) {
+    for (const StageTime& time : *times) {
+      json[time.stage] = time.seconds;
+      total += time.seconds;
+    }
+  }
+  json["total"] = total;
+  return json;
+}
+
+}  // namespace
+
+nlohmann::ordered_json make_report(const PipelineResult& r, const ReportContext& context) {
+  Json report;
+  report["report_version"] = report_version;
+  report["hexwall_version"] = version();
+  report["options"] = options_json(r.options, context.units);
+  report["input"] = input_json(r, context);
+  report["refined"] = {{"vertices", r.refined.surface.points.size()},
+                       {"faces", r.refined.surface.triangles.size()},
+                       {"splits", r.refined.splits},
+                       {"flips", r.refined.flips},
+                       {"negative_edges", r.refined.negative_edges}};
+  report["basis"] = {{"forms", r.basis.size()},
+                     {"error", r.basis.error},
+                     {"factor_nonzeros", r.basis.factor_nonzeros}};
+  report["energy"] = energy_json(r.optimum);
+  report.update(foliation_json(r));
+  report["quads"] = quads_json(r);
+  report["wall"] = wall_json(r);
+  report["seconds"] = seconds_json(r, context);
+  report["peak_memory_bytes"] = peak_memory_bytes();
+  report["warnings"] = r.warnings;
+  return report;
+}
+
+std::string summary(const PipelineResult& r, const std::string& units) {
+  std::string text;
+  const auto line = [&](const std::string& label, const std::string& value) {
+    text += fmt::format("  {:<10} {}\n", label, value);
+  };
+  line("surface", fmt::format("{} vertices, {} triangles, {} openings", r.surface.points.size(),
+                              r.surface.triangles.size(), r.openings.size()));
+  line("form", fmt::format("energy {:.4f}, basis error {:.1e}, {} zeros, {} cylinders, {} strips",
+                           r.optimum.energy, r.basis.error,
+                           0.5 * r.foliation.doubled_order(), r.foliation.cylinders.size(),
+                           r.foliation.strips.count()));
+  line("quads", fmt::format("{}, {} irregular vertices, corner angles 90 +- {:.2f} deg, "
+                            "min scaled Jacobian {:.3f}",
+                            r.quads.quads.size(), r.quad_quality.irregular,
+                            r.quad_quality.angle_stddev_deg, r.quad_quality.min_scaled_jacobian));
+  line("wall", fmt::format("{} hexes in {} layers, {:.4g} {} thick, min scaled Jacobian {:.3f}",
+                           r.wall.mesh.hexes.size(), r.options.layers, *r.options.thickness, units,
+                           r.wall.min_scaled_jacobian));
+  for (const Opening& opening : r.openings) {
+    line(opening.name, fmt::format("radius {:.4g} {} at ({:.4g}, {:.4g}, {:.4g})",
+                                   opening.length / (2.0 * std::numbers::pi), units,
+                                   opening.plane.center.x(), opening.plane.center.y(),
+                                   opening.plane.center.z()));
+  }
+  for (const std::string& warning : r.warnings) line("warning", warning);
+  return text;
+}
+
+long peak_memory_bytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return usage.ru_maxrss * 1024;  // Linux gives kibibytes
+}
+
+std::string version() { return HEXWALL_VERSION; }
+
+}  // namespace hexwall

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "surface/triangle_surface.h"
+
+namespace hexwall {
+
+struct CheckResult {
+  TriangleSurface surface;         ///< the input, with all triangles wound outward
+  int flipped = 0;                 ///< triangles whose winding was turned for that
+  std::vector<std::string> notes;  ///< what the user should know, one sentence each
+};
+
+/// Checks that a surface is a valid vessel wall and winds its triangles counter-clockwise seen from
+/// outside (see `orient`). Refuses, in this order and with the first few places named:
+/// non-finite coordinates; triangles with a repeated vertex or without area; several connected
+/// components; edges with more than two triangles; Möbius bands; vertices that join several fans;
+/// fewer than two boundary loops; handles (genus > 0); self-intersections.
+/// \pre each index lies in [0, #V). Points that no triangle uses are ignored.
+/// \throws GeometryError, TopologyError as above.
+CheckResult check_surface(const TriangleSurface& surface);
+
+}  // namespace hexwall

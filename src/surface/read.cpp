@@ -1,0 +1,96 @@
+#include "surface/read.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <fstream>
+#include <iterator>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "core/errors.h"
+#include "surface/polygon_soup.h"
+#include "surface/read_ply.h"
+#include "surface/read_text.h"
+#include "surface/read_vtk.h"
+
+namespace hexwall {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string content_of(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string content{std::istreambuf_iterator<char>(file), {}};
+  if (!file) throw ReadError("the file could not be read");
+  return content;
+}
+
+PolygonSoup read_stl(const fs::path& path) {
+  PolygonSoup soup = parse_stl(content_of(path));
+  weld_equal_points(soup);
+  return soup;
+}
+
+PolygonSoup read_obj(const fs::path& path) {
+  return parse_obj(content_of(path));
+}
+
+PolygonSoup read_ply(const fs::path& path) {
+  return parse_ply(content_of(path));
+}
+
+PolygonSoup read_off(const fs::path& path) {
+  return parse_off(content_of(path));
+}
+
+struct Format {
+  std::string_view extension;
+  PolygonSoup (*read)(const fs::path&);
+};
+
+constexpr std::array<Format, 6> formats{{{".stl", read_stl},
+                                         {".obj", read_obj},
+                                         {".ply", read_ply},
+                                         {".off", read_off},
+                                         {".vtp", read_vtp},
+                                         {".vtk", read_legacy_vtk}}};
+
+const Format& format_of(const fs::path& path) {
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  for (const Format& format : formats) {
+    if (format.extension == extension) return format;
+  }
+  std::string known;
+  for (const Format& format : formats) known += fmt::format(" {}", format.extension);
+  throw ReadError(fmt::format("the extension '{}' is unknown. Known are{}", extension, known));
+}
+
+void check_file(const fs::path& path) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (!fs::exists(status)) throw ReadError("the file does not exist");
+  if (fs::is_directory(status)) throw ReadError("this is a directory; a file is needed");
+  if (fs::file_size(path, error) == 0 && !error) throw ReadError("the file is empty");
+  if (!std::ifstream(path)) throw ReadError("the file cannot be opened; check its permissions");
+}
+
+}  // namespace
+
+ReadResult read_surface(const fs::path& path) {
+  try {
+    check_file(path);
+    PolygonSoup soup = format_of(path).read(path);
+    ReadResult result;
+    result.surface = triangulate(soup);
+    result.notes = std::move(soup.notes);
+    return result;
+  } catch (const ReadError& error) {
+    throw ReadError(fmt::format("cannot read '{}': {}", path.string(), error.what()));
+  }
+}
+
+}  // namespace hexwall

@@ -1,0 +1,258 @@
+#include "surface/read_ply.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <charconv>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "core/errors.h"
+
+namespace hexwall {
+namespace {
+
+constexpr std::string_view blanks = " \t\r\n\v\f";
+
+enum class Scalar { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
+
+struct Property {
+  std::string_view name;
+  Scalar type;
+  std::optional<Scalar> count_type;  ///< of a list
+};
+
+struct Element {
+  std::string_view name;
+  std::size_t count;
+  std::vector<Property> properties;
+};
+
+enum class Encoding { text, little_endian, big_endian };
+
+struct Header {
+  Encoding encoding = Encoding::text;
+  std::vector<Element> elements;
+};
+
+/// The rest of a file, from which words, lines and numbers are taken.
+class Source {
+ public:
+  explicit Source(std::string_view rest) : rest_(rest) {}
+
+  std::string_view line() {
+    if (rest_.empty()) throw ReadError("the file is truncated: it ends within its header");
+    const std::size_t end = std::min(rest_.find('\n'), rest_.size());
+    const std::string_view line = rest_.substr(0, end);
+    rest_.remove_prefix(std::min(end + 1, rest_.size()));
+    return line;
+  }
+
+  double number(Scalar type, Encoding encoding) {
+    switch (type) {
+      case Scalar::int8:
+        return take<std::int8_t>(encoding);
+      case Scalar::uint8:
+        return take<std::uint8_t>(encoding);
+      case Scalar::int16:
+        return take<std::int16_t>(encoding);
+      case Scalar::uint16:
+        return take<std::uint16_t>(encoding);
+      case Scalar::int32:
+        return take<std::int32_t>(encoding);
+      case Scalar::uint32:
+        return take<std::uint32_t>(encoding);
+      case Scalar::float32:
+        return take<float>(encoding);
+      case Scalar::float64:
+        return take<double>(encoding);
+    }
+    return 0.0;
+  }
+
+ private:
+  template <typename Value>
+  double take(Encoding encoding) {
+    if (encoding == Encoding::text) return take_word();
+    std::array<char, sizeof(Value)> bytes;
+    if (rest_.size() < bytes.size()) throw ReadError("the file is truncated");
+    std::copy_n(rest_.begin(), bytes.size(), bytes.begin());
+    rest_.remove_prefix(bytes.size());
+    const bool is_native =
+        (encoding == Encoding::little_endian) == (std::endian::native == std::endian::little);
+    if (!is_native) std::reverse(bytes.begin(), bytes.end());
+    return static_cast<double>(std::bit_cast<Value>(bytes));
+  }
+
+  double take_word() {
+    rest_.remove_prefix(std::min(rest_.find_first_not_of(blanks), rest_.size()));
+    if (rest_.empty()) throw ReadError("the file is truncated");
+    const std::string_view word = rest_.substr(0, rest_.find_first_of(blanks));
+    rest_.remove_prefix(word.size());
+    double value = 0.0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    if (error != std::errc{} || end != word.data() + word.size()) {
+      throw ReadError(fmt::format("'{}' is not a number", word));
+    }
+    return value;
+  }
+
+  std::string_view rest_;
+};
+
+std::vector<std::string_view> words_of(std::string_view line) {
+  std::vector<std::string_view> words;
+  for (std::size_t at = line.find_first_not_of(blanks); at != std::string_view::npos;) {
+    const std::size_t end = std::min(line.find_first_of(blanks, at), line.size());
+    words.push_back(line.substr(at, end - at));
+    at = line.find_first_not_of(blanks, end);
+  }
+  return words;
+}
+
+[[noreturn]] void refuse_header(std::string_view line) {
+  throw ReadError(fmt::format("the line '{}' of the header is not understood", line));
+}
+
+Scalar scalar_of(std::string_view name, std::string_view line) {
+  constexpr std::array<std::array<std::string_view, 2>, 8> names{{{"char", "int8"},
+                                                                  {"uchar", "uint8"},
+                                                                  {"short", "int16"},
+                                                                  {"ushort", "uint16"},
+                                                                  {"int", "int32"},
+                                                                  {"uint", "uint32"},
+                                                                  {"float", "float32"},
+                                                                  {"double", "float64"}}};
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (name == names[i][0] || name == names[i][1]) return static_cast<Scalar>(i);
+  }
+  refuse_header(line);
+}
+
+Encoding encoding_of(std::string_view name, std::string_view line) {
+  if (name == "ascii") return Encoding::text;
+  if (name == "binary_little_endian") return Encoding::little_endian;
+  if (name == "binary_big_endian") return Encoding::big_endian;
+  refuse_header(line);
+}
+
+Element element_of(const std::vector<std::string_view>& words, std::string_view line) {
+  std::size_t count = 0;
+  const auto [end, error] =
+      std::from_chars(words[2].data(), words[2].data() + words[2].size(), count);
+  if (error != std::errc{} || end != words[2].data() + words[2].size()) refuse_header(line);
+  return {words[1], count, {}};
+}
+
+Property property_of(const std::vector<std::string_view>& words, std::string_view line) {
+  if (words.size() == 5 && words[1] == "list") {
+    return {words[4], scalar_of(words[3], line), scalar_of(words[2], line)};
+  }
+  if (words.size() != 3) refuse_header(line);
+  return {words[2], scalar_of(words[1], line), std::nullopt};
+}
+
+Header parse_header(Source& source) {
+  if (words_of(source.line()) != std::vector<std::string_view>{"ply"}) {
+    throw ReadError("the file does not begin with 'ply'");
+  }
+  Header header;
+  while (true) {
+    const std::string_view line = source.line();
+    const auto words = words_of(line);
+    if (words.empty() || words[0] == "comment" || words[0] == "obj_info") continue;
+    if (words[0] == "end_header") return header;
+    if (words[0] == "format" && words.size() == 3) {
+      header.encoding = encoding_of(words[1], line);
+    } else if (words[0] == "element" && words.size() == 3) {
+      header.elements.push_back(element_of(words, line));
+    } else if (words[0] == "property" && !header.elements.empty()) {
+      header.elements.back().properties.push_back(property_of(words, line));
+    } else {
+      refuse_header(line);
+    }
+  }
+}
+
+/// What becomes of the values of a property.
+enum class Role { skipped, x, y, z, corners };
+
+Role role_of(const Element& element, const Property& property) {
+  if (element.name == "vertex" && !property.count_type) {
+    if (property.name == "x") return Role::x;
+    if (property.name == "y") return Role::y;
+    if (property.name == "z") return Role::z;
+  }
+  const bool is_corners = property.name == "vertex_indices" || property.name == "vertex_index";
+  return element.name == "face" && property.count_type && is_corners ? Role::corners
+                                                                     : Role::skipped;
+}
+
+void read_list(Source& source, const Property& property, Encoding encoding,
+               std::vector<int>* corners) {
+  const double count = source.number(*property.count_type, encoding);
+  for (double i = 0; i < count; ++i) {
+    const double value = source.number(property.type, encoding);
+    // Beyond int there are no points either: -1 is refused as out of range.
+    const bool is_index = value >= 0.0 && value < 2147483647.0;
+    if (corners != nullptr) corners->push_back(is_index ? static_cast<int>(value) : -1);
+  }
+}
+
+void read_row(Source& source, const Element& element, Encoding encoding, PolygonSoup& soup) {
+  if (element.name == "vertex") soup.points.push_back(Vec3::Zero());
+  if (element.name == "face") soup.polygons.emplace_back();
+  for (const Property& property : element.properties) {
+    const Role role = role_of(element, property);
+    if (property.count_type) {
+      read_list(source, property, encoding,
+                role == Role::corners ? &soup.polygons.back() : nullptr);
+      continue;
+    }
+    const double value = source.number(property.type, encoding);
+    if (role == Role::x) soup.points.back().x() = value;
+    if (role == Role::y) soup.points.back().y() = value;
+    if (role == Role::z) soup.points.back().z() = value;
+  }
+}
+
+void check_has_coordinates(const Header& header) {
+  std::array<bool, 5> found{};
+  for (const Element& element : header.elements) {
+    if (element.name == "tristrips") throw ReadError("triangle strips in PLY cannot be read");
+    for (const Property& p : element.properties) {
+      found[static_cast<std::size_t>(role_of(element, p))] = true;
+    }
+  }
+  for (const Role role : {Role::x, Role::y, Role::z}) {
+    if (!found[static_cast<std::size_t>(role)]) throw ReadError("its vertices have no x, y and z");
+  }
+  if (!found[static_cast<std::size_t>(Role::corners)])
+    throw ReadError("the file holds no triangles");
+}
+
+}  // namespace
+
+PolygonSoup parse_ply(const std::string& content) {
+  Source source(content);
+  const Header header = parse_header(source);
+  check_has_coordinates(header);
+  PolygonSoup soup;
+  for (const Element& element : header.elements) {
+    if (element.properties.empty()) continue;
+    for (std::size_t row = 0; row < element.count; ++row) {
+      try {
+        read_row(source, element, header.encoding, soup);
+      } catch (const ReadError& error) {
+        throw ReadError(fmt::format("{}, in element '{}' number {} of {}", error.what(),
+                                    element.name, row + 1, element.count));
+      }
+    }
+  }
+  return soup;
+}
+
+}  // namespace hexwall

@@ -1,0 +1,208 @@
+// The program. Sample runs:
+//
+//   hexwall mesh aneurysm.stl -o out --size 0.8 --thickness 0.5 --layers 3
+//   hexwall generate aaa -o aaa.stl
+//
+// `mesh` reads a vessel surface, runs the pipeline and writes the quad mesh, the hexahedral wall,
+// an OpenFOAM case and a report. `generate` makes surfaces to try it on.
+
+#include <chrono>
+#include <exception>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <spdlog/sinks/stdout_sinks.h>
+#include <spdlog/spdlog.h>
+#include <tbb/global_control.h>
+
+#include "core/errors.h"
+#include "exporters/openfoam.h"
+#include "exporters/output_file.h"
+#include "exporters/results.h"
+#include "output_folder.h"
+#include "pipeline.h"
+#include "progress_display.h"
+#include "report.h"
+#include "surface/generate.h"
+#include "surface/read.h"
+#include "surface/write.h"
+
+namespace hexwall {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::map<std::string, double> metres_per_unit{
+    {"mm", 1e-3}, {"cm", 1e-2}, {"m", 1.0}, {"um", 1e-6}};
+
+struct MeshCommand {
+  std::string surface;
+  std::string output;
+  PipelineOptions pipeline;
+  std::string units = "mm";
+  std::string poles = "off";
+  std::vector<std::string> write{"vtu", "openfoam"};
+  bool write_basis = false;
+  int threads = 0;
+  bool quiet = false;
+  bool verbose = false;
+};
+
+struct GenerateCommand {
+  std::string shape;
+  std::string output;
+  std::optional<double> edge;
+};
+
+CLI::App* add_mesh(CLI::App& app, MeshCommand& c) {
+  CLI::App* mesh = app.add_subcommand("mesh", "Mesh the wall of a vessel with hexahedra");
+  mesh->add_option("SURFACE", c.surface, "Triangle surface with open ends: STL, OBJ, PLY, OFF, "
+                                         "VTP, VTK")->required();
+  mesh->add_option("-o,--output", c.output, "Folder for the results")->required();
+  mesh->add_option("--size", c.pipeline.size,
+                   "Target quad edge length, in input units [sqrt(area / 20000)]");
+  mesh->add_option("--thickness", c.pipeline.thickness,
+                   "Wall thickness, in input units [10 % of the mean vessel radius]");
+  mesh->add_option("--layers", c.pipeline.layers, "Hexes through the wall")->capture_default_str();
+  mesh->add_option("--growth", c.pipeline.growth,
+                   "Height ratio of successive layers, from the lumen outward")
+      ->capture_default_str();
+  mesh->add_option("--units", c.units, "Unit of the input")
+      ->check(CLI::IsMember({"mm", "cm", "m", "um"}))->capture_default_str();
+  mesh->add_option("--relax", c.pipeline.relax, "Quad sizes: 0 conformal … 1 even")
+      ->capture_default_str();
+  mesh->add_option("--poles", c.poles, "Extra singularities in blind sacs")
+      ->check(CLI::IsMember({"off"}))->capture_default_str();
+  mesh->add_option("--write", c.write, "Hex mesh formats, separated by commas")
+      ->delimiter(',')->check(CLI::IsMember({"vtu", "openfoam"}))->capture_default_str();
+  mesh->add_flag("--write-basis", c.write_basis,
+                 "Also write basis.vtp: every basis form as texture coordinates");
+  mesh->add_option("--threads", c.threads, "Threads; results do not depend on it [all cores]")
+      ->check(CLI::Range(1, 1024));
+  auto* quiet = mesh->add_flag("-q,--quiet", c.quiet, "Print errors only");
+  mesh->add_flag("-v,--verbose", c.verbose, "Print the time of each stage")->excludes(quiet);
+  return mesh;
+}
+
+CLI::App* add_generate(CLI::App& app, GenerateCommand& c) {
+  CLI::App* generate = app.add_subcommand("generate", "Make a surface to try hexwall on");
+  generate->add_option("SHAPE", c.shape,
+                       "annulus, eccentric-annulus, cylinder, bifurcation or aaa")->required();
+  generate->add_option("-o,--output", c.output, "File: .stl, .obj, .ply, .off, .vtp or .vtk")
+      ->required();
+  generate->add_option("--edge", c.edge, "Edge length of the triangles [by shape]");
+  return generate;
+}
+
+// Seconds that `work` takes.
+double timed(const std::function<void()>& work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+bool writes(const MeshCommand& c, const std::string& format) {
+  return std::find(c.write.begin(), c.write.end(), format) != c.write.end();
+}
+
+void write_results(const MeshCommand& c, const PipelineResult& result, const fs::path& folder) {
+  write_vtp(folder / "surface.vtp", surface_data(result));
+  write_vtp(folder / "critical.vtp", critical_data(result));
+  write_vtp(folder / "quads.vtp", quad_data(result));
+  if (c.write_basis) write_vtp(folder / "basis.vtp", basis_data(result));
+  if (writes(c, "vtu")) write_wall(folder / "wall.vtu", result);
+  if (writes(c, "openfoam")) {
+    write_openfoam(folder / "openfoam", result.wall.mesh, metres_per_unit.at(c.units));
+  }
+}
+
+void run_mesh(const MeshCommand& c, spdlog::logger& log) {
+  std::optional<tbb::global_control> limit;
+  if (c.threads > 0) {
+    limit.emplace(tbb::global_control::max_allowed_parallelism,
+                  static_cast<std::size_t>(c.threads));
+  }
+  OutputFolder folder(c.output);
+  ProgressDisplay progress(!c.quiet);
+  ReportContext context{c.surface, c.units, {}, {}};
+  ReadResult read;
+  context.io_times.push_back({"read", timed([&] { read = read_surface(c.surface); })});
+  context.notes = read.notes;
+  const PipelineResult result = run_pipeline(
+      read.surface, c.pipeline, [&](const std::string& stage, int index, int count) {
+        progress.show(stage, index, count);
+      });
+  context.io_times.push_back(
+      {"write", timed([&] { write_results(c, result, folder.staging()); })});
+  write_output_file(folder.staging() / "report.json",
+                    make_report(result, context).dump(2) + "\n");
+  folder.commit();
+  progress.finish();
+  for (const std::string& note : context.notes) log.info("  {:<10} {}", "note", note);
+  log.info("{}  {:<10} {}", summary(result, c.units), "results", folder.path().string());
+  for (const std::vector<StageTime>* times : {&std::as_const(context).io_times, &result.times}) {
+    for (const StageTime& time : *times) log.debug("  {:<10} {:.3f} s", time.stage, time.seconds);
+  }
+}
+
+void run_generate(const GenerateCommand& c) {
+  const TriangleSurface surface = generate_shape(shape_from_name(c.shape), c.edge);
+  write_surface(c.output, surface);
+  fmt::print("{}: {} vertices, {} triangles\n", c.output, surface.points.size(),
+             surface.triangles.size());
+}
+
+int fail(ExitCode code, const std::string& message) {
+  fmt::print(stderr, "hexwall: error: {}\n", message);
+  return static_cast<int>(code);
+}
+
+int run(int argc, char** argv) {
+  CLI::App app{"hexwall: hexahedral wall meshes of blood vessels"};
+  app.set_version_flag("--version", "hexwall " + version());
+  app.require_subcommand(1);
+  app.footer("Exit codes: 0 success, 1 internal error, 2 command line, 3 unreadable input,\n"
+             "4 topology of the surface, 5 geometry of the surface, 6 no valid mesh, 7 output.");
+  MeshCommand mesh;
+  GenerateCommand generate;
+  const CLI::App* mesh_app = add_mesh(app, mesh);
+  add_generate(app, generate);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : static_cast<int>(ExitCode::usage);
+  }
+  spdlog::logger log("hexwall", std::make_shared<spdlog::sinks::stdout_sink_st>());
+  log.set_pattern("%v");
+  log.set_level(mesh.quiet ? spdlog::level::err
+                           : (mesh.verbose ? spdlog::level::debug : spdlog::level::info));
+  try {
+    if (mesh_app->parsed()) {
+      run_mesh(mesh, log);
+    } else {
+      run_generate(generate);
+    }
+  } catch (const Error& error) {
+    return fail(error.code(), error.what());
+  } catch (const std::bad_alloc&) {
+    return fail(ExitCode::internal, "out of memory: choose a larger --size");
+  } catch (const std::exception& error) {
+    return fail(ExitCode::internal,
+                fmt::format("{}. This is a bug in hexwall: please report it", error.what()));
+  }
+  return static_cast<int>(ExitCode::success);
+}
+
+}  // namespace
+}  // namespace hexwall
+
+int main(int argc, char** argv) { return hexwall::run(argc, argv); }
