@@ -39,21 +39,6 @@ std::vector<double> at_corners(const TriangleSurface& surface, const Eigen::Vect
   return result;
 }
 
-// |grad y| on each triangle.
-std::vector<double> scale_factors(const TriangleSurface& surface, const Eigen::VectorXd& y) {
-  std::vector<double> result;
-  result.reserve(surface.triangles.size());
-  for (int f = 0; f < static_cast<int>(surface.triangles.size()); ++f) {
-    const auto& t = surface.triangles[f];
-    Vec3 rotated = Vec3::Zero();
-    for (int k = 0; k < 3; ++k) {
-      rotated += y[t[k]] * (surface.points[t[(k + 2) % 3]] - surface.points[t[(k + 1) % 3]]);
-    }
-    result.push_back(rotated.norm() / doubled_area_vector(surface, f).norm());
-  }
-  return result;
-}
-
 // A closed form integrated over each triangle, continued from triangle to triangle: its values at
 // the corners jump by periods only.
 std::vector<double> integrate(const Connectivity& mesh, const OneForm& form) {
@@ -96,7 +81,7 @@ void add_polyline(PolyData& data, const std::vector<Vec3>& points) {
 PolyData surface_data(const PipelineResult& r) {
   const TriangleSurface& surface = r.refined.surface;
   const SurfaceLabels labels = label_surface(r.refined_connectivity, r.form, r.foliation,
-                                             r.numbers.across, r.numbers.along);
+                                             r.numbers.across, r.numbers.along, r.spacing);
   PolyData data = separate_triangles(surface);
   std::vector<double> x;
   std::vector<double> uv;
@@ -111,7 +96,7 @@ PolyData surface_data(const PipelineResult& r) {
   data.cell_arrays.push_back({"cylinder", 1, labels.cylinder});
   data.cell_arrays.push_back({"patch", 1, labels.patch});
   data.cell_arrays.push_back({"input_triangle", 1, r.refined.parent_face});
-  data.cell_arrays.push_back({"scale_factor", 1, scale_factors(surface, r.form.y)});
+  data.cell_arrays.push_back({"scale_factor", 1, r.scale_factor});
   return data;
 }
 

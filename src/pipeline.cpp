@@ -69,6 +69,22 @@ void find_openings(PipelineResult& r) {
   r.refined_connectivity.reorder_loops(order);
 }
 
+// |grad y| on each triangle of the refined surface.
+std::vector<double> scale_factors(const PipelineResult& r) {
+  const TriangleSurface& surface = r.refined.surface;
+  std::vector<double> result;
+  result.reserve(surface.triangles.size());
+  for (int f = 0; f < static_cast<int>(surface.triangles.size()); ++f) {
+    const auto& t = surface.triangles[f];
+    Vec3 rotated = Vec3::Zero();
+    for (int k = 0; k < 3; ++k) {
+      rotated += r.form.y[t[k]] * (surface.points[t[(k + 2) % 3]] - surface.points[t[(k + 1) % 3]]);
+    }
+    result.push_back(rotated.norm() / doubled_area_vector(surface, f).norm());
+  }
+  return result;
+}
+
 void find_form(PipelineResult& r) {
   const Eigen::MatrixXd g = potentials(r.basis);
   const auto face_count = static_cast<int>(r.surface.triangles.size());
@@ -79,6 +95,7 @@ void find_form(PipelineResult& r) {
   for (const Opening& opening : r.openings) lengths.push_back(opening.length);
   r.optimum = optimal_form(*energy, lengths, r.basis.exterior);
   r.form = combine(r.refined_connectivity, r.basis, r.optimum.lambda);
+  r.scale_factor = scale_factors(r);
 }
 
 // Area of the image of the surface under (x, y): the Dirichlet energy of y.
@@ -98,22 +115,30 @@ double conformal_area(const PipelineResult& r) {
 void find_numbers(PipelineResult& r) {
   const double area = total_area(r.surface);
   if (!r.options.size) r.options.size = std::sqrt(area / default_quad_count);
+  const double size_in_plane = *r.options.size * std::sqrt(conformal_area(r) / area);
+  r.spacing = space_rows(r.refined.surface, r.refined_connectivity, r.form, r.foliation.cylinders,
+                         {*r.options.size, size_in_plane, r.options.relax});
   QuantiseOptions options;
-  options.size = *r.options.size * std::sqrt(conformal_area(r) / area);
-  r.numbers = quantise(r.foliation.cylinders, r.foliation.strips, options);
+  options.size = size_in_plane;
+  r.numbers = quantise(r.foliation.cylinders, r.foliation.strips, r.spacing, options);
 }
 
-// Target size per quad: between its conformal size and the size asked for, geometrically.
-std::vector<double> target_sizes(const PipelineResult& r) {
-  const QuadMesh& mesh = r.conformal.mesh;
+// Target size per quad: its conformal size, drawn towards the size asked for by `relax`.
+std::vector<QuadSize> target_sizes(const PipelineResult& r) {
   const double size = *r.options.size;
-  std::vector<double> targets;
-  targets.reserve(mesh.quads.size());
-  for (int q = 0; q < static_cast<int>(mesh.quads.size()); ++q) {
-    const double area = 0.5 * doubled_area_vector(corners_of(mesh, q)).norm();
-    const double ratio = std::clamp(std::sqrt(area) / size, 1.0 / greatest_size_ratio,
-                                    greatest_size_ratio);
-    targets.push_back(size * std::pow(ratio, 1.0 - r.options.relax));
+  const double plane = size * std::sqrt(conformal_area(r) / total_area(r.surface));
+  const auto target = [&](double conformal) {
+    const double ratio = std::clamp(conformal / size, 1.0 / greatest_size_ratio, greatest_size_ratio);
+    return size * std::pow(ratio, 1.0 - r.options.relax);
+  };
+  std::vector<QuadSize> targets;
+  targets.reserve(r.conformal.mesh.quads.size());
+  for (std::size_t q = 0; q < r.conformal.mesh.quads.size(); ++q) {
+    double scale = 0.0;
+    for (const int v : r.conformal.mesh.quads[q]) {
+      scale += 0.25 * r.scale_factor[r.conformal.face[v]];
+    }
+    targets.push_back({target(plane / scale), target(r.conformal.row_height[q] / scale)});
   }
   return targets;
 }
@@ -124,7 +149,6 @@ std::vector<SurfacePoint> relax_quads(PipelineResult& r) {
   face.reserve(r.conformal.face.size());
   for (const int f : r.conformal.face) face.push_back(r.refined.parent_face[f]);
   r.relaxation = relax(r.quads, face, target_sizes(r), r.surface, r.connectivity);
-  r.quad_quality = quad_quality(r.quads, *r.options.size);
   std::vector<SurfacePoint> places;
   places.reserve(face.size());
   for (std::size_t v = 0; v < face.size(); ++v) places.push_back({face[v], r.quads.points[v]});
@@ -146,16 +170,25 @@ double mean_radius(const PipelineResult& r) {
   return sum / area_sum;
 }
 
-void extrude_wall(PipelineResult& r, const std::vector<SurfacePoint>& places) {
-  if (!r.options.thickness) r.options.thickness = default_thickness_ratio * mean_radius(r);
+// Directions of extrusion: the surface's normals, kept in the planes of the loops.
+std::vector<Vec3> find_directions(const PipelineResult& r,
+                                  const std::vector<SurfacePoint>& places) {
   std::vector<Vec3> directions = interpolated_normals(r.surface, places);
   std::vector<LoopPlane> planes;
-  std::vector<std::string> names;
-  for (const Opening& opening : r.openings) {
-    planes.push_back(opening.plane);
-    names.push_back(opening.name);
-  }
+  for (const Opening& opening : r.openings) planes.push_back(opening.plane);
   flatten_at_loops(r.quads, planes, directions);
+  return directions;
+}
+
+void extrude_wall(PipelineResult& r, std::vector<SurfacePoint> places) {
+  if (!r.options.thickness) r.options.thickness = default_thickness_ratio * mean_radius(r);
+  std::vector<Vec3> directions = find_directions(r, places);
+  const SurfaceProjector projector(r.surface, r.connectivity);
+  r.polishing = polish(r.quads, places, directions, projector,
+                       {*r.options.size, *r.options.thickness, r.options.layers, r.options.growth});
+  r.quad_quality = quad_quality(r.quads, *r.options.size);
+  std::vector<std::string> names;
+  for (const Opening& opening : r.openings) names.push_back(opening.name);
   ExtrudeOptions options;
   options.thickness = *r.options.thickness;
   options.layers = r.options.layers;
@@ -214,11 +247,11 @@ PipelineResult run_pipeline(const TriangleSurface& surface, const PipelineOption
   clock.begin("quads");
   find_numbers(r);
   r.conformal = extract_quads(r.refined.surface, r.refined_connectivity, r.form, r.foliation,
-                              r.numbers);
+                              r.spacing, r.numbers);
   clock.begin("relax");
-  const std::vector<SurfacePoint> places = relax_quads(r);
+  std::vector<SurfacePoint> places = relax_quads(r);
   clock.begin("wall");
-  extrude_wall(r, places);
+  extrude_wall(r, std::move(places));
   collect_warnings(r);
   clock.end();
   r.times = clock.times();

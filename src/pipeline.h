@@ -7,7 +7,9 @@
 #include "core/progress.h"
 #include "dec/delaunay.h"
 #include "foliation/foliation.h"
+#include "foliation/row_spacing.h"
 #include "hex/extrude.h"
+#include "hex/polish.h"
 #include "holomorphic/basis.h"
 #include "holomorphic/form.h"
 #include "holomorphic/optimum.h"
@@ -46,11 +48,14 @@ struct PipelineResult {
   HolomorphicBasis basis;
   OptimumResult optimum;
   HolomorphicForm form;
+  std::vector<double> scale_factor;  ///< |grad y| of each triangle of `refined`
   Foliation foliation;
+  std::vector<RowSpacing> spacing;
   Quantisation numbers;
   ExtractResult conformal;  ///< quads at their conformal places
-  QuadMesh quads;           ///< after relaxation
+  QuadMesh quads;           ///< after relaxation and polishing
   RelaxResult relaxation;
+  PolishResult polishing;
   QuadQuality quad_quality;
   ExtrudeResult wall;
   std::vector<std::string> warnings;

@@ -96,7 +96,10 @@ Json quads_json(const PipelineResult& r) {
            {{"1%", quantiles[0]}, {"5%", quantiles[1]}, {"50%", quantiles[2]},
             {"95%", quantiles[3]}, {"99%", quantiles[4]}}},
           {"off_size_area_fraction", quality.off_size_area_fraction},
-          {"relax_iterations", r.relaxation.iterations}};
+          {"relax_iterations", r.relaxation.iterations},
+          {"polished", {{"columns_before", r.polishing.columns_before},
+                        {"columns_after", r.polishing.columns_after},
+                        {"vertices_moved", r.polishing.moved}}}};
 }
 
 Json wall_json(const PipelineResult& r) {

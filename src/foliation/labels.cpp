@@ -9,12 +9,14 @@ namespace {
 class Labeller {
  public:
   Labeller(const Connectivity& mesh, const HolomorphicForm& form, const Foliation& foliation,
-           const std::vector<int>& across, const std::vector<int>& along)
+           const std::vector<int>& across, const std::vector<int>& along,
+           const std::vector<RowSpacing>& spacing)
       : mesh_(mesh),
         form_(form),
         foliation_(foliation),
         across_(across),
         along_(along),
+        spacing_(spacing),
         visited_(mesh.face_count(), -1),
         corner_x_(mesh.face_count()) {
     labels_.cylinder.assign(mesh.face_count(), -1);
@@ -84,8 +86,13 @@ class Labeller {
     for (int k = 0; k < 3; ++k) {
       labels_.uv[f][2 * k] =
           place.u_start + (corner_x_[f][k] + place.shift - place.x_start) * place.u_per_x;
-      labels_.uv[f][2 * k + 1] = (y[k] - cylinder.y_bottom) / height * along_[c];
+      labels_.uv[f][2 * k + 1] = v_of(c, y[k]);
     }
+  }
+
+  double v_of(int c, double y) const {
+    const double wanted = std::max(spacing_[c].wanted(), 1e-300);
+    return spacing_[c].rows_below(y) / wanted * along_[c];
   }
 
   struct Place {
@@ -122,6 +129,7 @@ class Labeller {
   const Foliation& foliation_;
   const std::vector<int>& across_;
   const std::vector<int>& along_;
+  const std::vector<RowSpacing>& spacing_;
   std::vector<int> visited_;
   std::vector<std::array<double, 3>> corner_x_;
   SurfaceLabels labels_;
@@ -131,8 +139,9 @@ class Labeller {
 
 SurfaceLabels label_surface(const Connectivity& mesh, const HolomorphicForm& form,
                             const Foliation& foliation, const std::vector<int>& across,
-                            const std::vector<int>& along) {
-  return Labeller(mesh, form, foliation, across, along).run();
+                            const std::vector<int>& along,
+                            const std::vector<RowSpacing>& spacing) {
+  return Labeller(mesh, form, foliation, across, along, spacing).run();
 }
 
 }  // namespace hexwall

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "foliation/foliation.h"
+#include "foliation/row_spacing.h"
 
 namespace hexwall {
 
@@ -15,9 +16,11 @@ struct SurfaceLabels {
   std::vector<std::array<double, 6>> uv;    ///< #F (u, v) at the corners: integers are grid lines
 };
 
-/// \param across quads across each strip. \param along quads along each cylinder.
+/// \param across quads across each strip. \param along quads along each cylinder, spread as
+/// `spacing` says.
 SurfaceLabels label_surface(const Connectivity& mesh, const HolomorphicForm& form,
                             const Foliation& foliation, const std::vector<int>& across,
-                            const std::vector<int>& along);
+                            const std::vector<int>& along,
+                            const std::vector<RowSpacing>& spacing);
 
 }  // namespace hexwall

@@ -10,6 +10,7 @@
 #include "core/errors.h"
 #include "core/parallel.h"
 #include "core/tolerances.h"
+#include "hex/column.h"
 #include "hex/quality.h"
 #include "quad/quality.h"
 
@@ -42,7 +43,8 @@ class Thickness {
     std::vector<char> bad(quads_.quads.size());
     for (;;) {
       parallel_for(bad.size(), [&](std::size_t q) {
-        bad[q] = column_quality(static_cast<int>(q)) < bound_[q] ? 1 : 0;
+        const ColumnQuality quality = column_quality(column(static_cast<int>(q)), fractions_);
+        bad[q] = quality.scaled_jacobian < bound_[q] ? 1 : 0;
       });
       if (std::find(bad.begin(), bad.end(), 1) == bad.end()) return values_;
       shrink(bad);
@@ -50,16 +52,12 @@ class Thickness {
     }
   }
 
-  Vec3 point(int v, double fraction) const {
-    return quads_.points[v] + fraction * values_[v] * directions_[v];
-  }
-
  private:
   // What is wanted of a column: no more than half of what it has in the limit of no thickness.
   void find_bounds() {
     bound_.resize(quads_.quads.size());
     parallel_for(bound_.size(), [&](std::size_t q) {
-      const double limit = flat_quality(static_cast<int>(q));
+      const double limit = flat_quality(column(static_cast<int>(q)));
       bound_[q] = std::min(options_.wanted_scaled_jacobian, 0.5 * limit);
     });
     const auto worst = std::min_element(bound_.begin(), bound_.end());
@@ -70,29 +68,15 @@ class Thickness {
         "or remesh it, or choose a smaller --size", at.x(), at.y(), at.z()));
   }
 
-  // Least triple product of the unit edges and the direction at the corners of a quad.
-  double flat_quality(int q) const {
-    const auto p = corners_of(quads_, q);
-    double least = 1.0;
+  Column column(int q) const {
+    Column result;
     for (int k = 0; k < 4; ++k) {
-      const Vec3 u = (p[(k + 1) % 4] - p[k]).normalized();
-      const Vec3 v = (p[(k + 3) % 4] - p[k]).normalized();
-      least = std::min(least, u.cross(v).dot(directions_[quads_.quads[q][k]]));
+      const int v = quads_.quads[q][k];
+      result.base[k] = quads_.points[v];
+      result.direction[k] = directions_[v];
+      result.thickness[k] = values_[v];
     }
-    return least;
-  }
-
-  double column_quality(int q) const {
-    double least = 1.0;
-    for (std::size_t i = 0; i + 1 < fractions_.size(); ++i) {
-      std::array<Vec3, 8> corners;
-      for (int k = 0; k < 4; ++k) {
-        corners[k] = point(quads_.quads[q][k], fractions_[i]);
-        corners[k + 4] = point(quads_.quads[q][k], fractions_[i + 1]);
-      }
-      least = std::min(least, scaled_jacobian(corners));
-    }
-    return least;
+    return result;
   }
 
   void shrink(const std::vector<char>& bad) {
@@ -281,15 +265,6 @@ void flatten_at_loops(const QuadMesh& quads, const std::vector<LoopPlane>& plane
     // A flat surface (an annulus in the plane of its loops) has no direction within that plane.
     if (flat.norm() > 0.1) directions[v] = flat.normalized();
   }
-}
-
-std::vector<double> layer_fractions(int layers, double growth) {
-  std::vector<double> fractions{0.0};
-  double height = 1.0;
-  for (int i = 0; i < layers; ++i, height *= growth) fractions.push_back(fractions.back() + height);
-  for (double& f : fractions) f /= fractions.back();
-  fractions.back() = 1.0;
-  return fractions;
 }
 
 ExtrudeResult extrude(const QuadMesh& quads, std::vector<Vec3> directions,

@@ -54,7 +54,4 @@ LoopPlane fit_plane(const std::vector<Vec3>& loop);
 void flatten_at_loops(const QuadMesh& quads, const std::vector<LoopPlane>& planes,
                       std::vector<Vec3>& directions);
 
-/// Heights of the layer boundaries as fractions of the thickness: layers + 1 values from 0 to 1.
-std::vector<double> layer_fractions(int layers, double growth);
-
 }  // namespace hexwall

@@ -12,13 +12,15 @@ namespace {
 class Extractor {
  public:
   Extractor(const TriangleSurface& surface, const Connectivity& mesh, const HolomorphicForm& form,
-            const Foliation& foliation, const Quantisation& quantisation)
+            const Foliation& foliation, const std::vector<RowSpacing>& spacing,
+            const Quantisation& quantisation)
       : surface_(surface),
         mesh_(mesh),
         form_(form),
         graph_(foliation.graph),
         cylinders_(foliation.cylinders),
         strips_(foliation.strips),
+        spacing_(spacing),
         numbers_(quantisation) {}
 
   ExtractResult run() {
@@ -32,7 +34,7 @@ class Extractor {
  private:
   struct Level {
     int cylinder;
-    double fraction;   // of the cylinder's height
+    double y;
     int first_vertex;
   };
 
@@ -112,15 +114,23 @@ class Extractor {
     const int rows = numbers_.along[c];
     std::vector<std::vector<int>> rings{ring(cylinders_[c].bottom_circle)};
     for (int j = 1; j < rows; ++j) {
-      levels_.push_back({c, static_cast<double>(j) / rows, static_cast<int>(result_.face.size())});
+      levels_.push_back({c, level_y(c, j), static_cast<int>(result_.face.size())});
       std::vector<int> level;
       for (std::size_t i = 0; i < rings[0].size(); ++i) level.push_back(add_vertex({}, -1));
       rings.push_back(std::move(level));
     }
     rings.push_back(top_ring(c));
-    for (int j = 0; j < rows; ++j) add_quads(c, rings[j], rings[j + 1]);
+    for (int j = 0; j < rows; ++j) {
+      add_quads(c, rings[j], rings[j + 1]);
+      result_.row_height.resize(result_.mesh.quads.size(), level_y(c, j + 1) - level_y(c, j));
+    }
     add_vertical_lines(c, rings);
     first_patch_ += static_cast<int>(strips_.in_cylinder[c].size());
+  }
+
+  // Height of the ring above row j - 1.
+  double level_y(int c, int j) const {
+    return spacing_[c].y_of(spacing_[c].wanted() * j / numbers_.along[c]);
   }
 
   // +x to the right and +y up, seen from outside.
@@ -160,11 +170,11 @@ class Extractor {
 
   bool place_level(const Level& level) {
     const Cylinder& cylinder = cylinders_[level.cylinder];
-    const double y = cylinder.y_bottom + level.fraction * cylinder.height();
-    const LevelCurve curve = level_curve(mesh_, form_, cylinder, y);
+    const LevelCurve curve = level_curve(mesh_, form_, cylinder, level.y);
+    const double fraction = (level.y - cylinder.y_bottom) / cylinder.height();
     const auto& lines = strips_.in_cylinder[level.cylinder];
     const auto x_of = [&](const LineInCylinder& line) {
-      return (1.0 - level.fraction) * line.x_bottom + level.fraction * line.x_top;
+      return (1.0 - fraction) * line.x_bottom + fraction * line.x_top;
     };
     int vertex = level.first_vertex;
     for (std::size_t q = 0; q < lines.size(); ++q) {
@@ -189,6 +199,7 @@ class Extractor {
   const CriticalGraph& graph_;
   const std::vector<Cylinder>& cylinders_;
   const Strips& strips_;
+  const std::vector<RowSpacing>& spacing_;
   const Quantisation& numbers_;
   std::vector<std::vector<int>> arc_vertices_;
   std::vector<Level> levels_;
@@ -200,8 +211,9 @@ class Extractor {
 
 ExtractResult extract_quads(const TriangleSurface& surface, const Connectivity& mesh,
                             const HolomorphicForm& form, const Foliation& foliation,
+                            const std::vector<RowSpacing>& spacing,
                             const Quantisation& quantisation) {
-  return Extractor(surface, mesh, form, foliation, quantisation).run();
+  return Extractor(surface, mesh, form, foliation, spacing, quantisation).run();
 }
 
 }  // namespace hexwall

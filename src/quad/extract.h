@@ -11,6 +11,7 @@ namespace hexwall {
 /// The quad mesh of a quantised foliation, with its vertices on the surface.
 struct ExtractResult {
   QuadMesh mesh;
+  std::vector<double> row_height;                ///< #Q height of each quad in y
   std::vector<int> face;                         ///< #V triangle on which each vertex lies
   std::vector<std::vector<int>> vertical_lines;  ///< vertices along critical trajectories, one
                                                  ///< list per trajectory and cylinder
@@ -22,6 +23,7 @@ struct ExtractResult {
 /// curves belong to arcs, so neighbouring cylinders share them by construction.
 ExtractResult extract_quads(const TriangleSurface& surface, const Connectivity& mesh,
                             const HolomorphicForm& form, const Foliation& foliation,
+                            const std::vector<RowSpacing>& spacing,
                             const Quantisation& quantisation);
 
 }  // namespace hexwall

@@ -125,12 +125,11 @@ long Quantisation::quad_count(const Strips& strips) const {
 }
 
 Quantisation quantise(const std::vector<Cylinder>& cylinders, const Strips& strips,
-                      const QuantiseOptions& options) {
+                      const std::vector<RowSpacing>& spacing, const QuantiseOptions& options) {
   Quantisation result;
   result.across = StripRounding(cylinders, strips, options).run();
-  for (const Cylinder& c : cylinders) {
-    result.along.push_back(
-        std::max(1, static_cast<int>(std::lround(c.height() / options.size))));
+  for (const RowSpacing& rows : spacing) {
+    result.along.push_back(std::max(1, static_cast<int>(std::lround(rows.wanted()))));
   }
   return result;
 }

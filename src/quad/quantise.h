@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "foliation/foliation.h"
+#include "foliation/row_spacing.h"
 
 namespace hexwall {
 
@@ -20,9 +21,9 @@ struct Quantisation {
   long quad_count(const Strips& strips) const;
 };
 
-/// Rounds strip widths and cylinder heights: a local search over single and paired steps of +-1 on
+/// Rounds strip widths and numbers of rows: a local search over single and paired steps of +-1 on
 /// the sum of squared relative errors of the circumferences (weighted 4:1) and of the strips.
 Quantisation quantise(const std::vector<Cylinder>& cylinders, const Strips& strips,
-                      const QuantiseOptions& options);
+                      const std::vector<RowSpacing>& spacing, const QuantiseOptions& options);
 
 }  // namespace hexwall

@@ -15,25 +15,27 @@ namespace {
 
 using Corners = std::array<Vec3, 4>;
 
-// The square nearest to a quad (least squares over position and turn), with its half diagonal
-// pulled towards that of the target size.
-Corners fitted_square(const Corners& p, double size, double size_weight) {
+// The rectangle nearest to a quad in turn and position, its sides pulled towards the target size.
+Corners fitted_rectangle(const Corners& p, const QuadSize& size, double size_weight) {
   const Vec3 center = 0.25 * (p[0] + p[1] + p[2] + p[3]);
-  const Vec3 normal = doubled_area_vector(p).normalized();
-  const Vec3 first = p[0] - p[2];
-  const Vec3 second = p[1] - p[3];
-  Vec3 v = 0.25 * (first - normal.cross(second));
-  v -= v.dot(normal) * normal;
-  const double length = v.norm();
-  const double wanted = size / std::sqrt(2.0);
-  if (length > 0.0) v *= std::pow(wanted / length, size_weight);
-  const Vec3 w = normal.cross(v);
-  return {center + v, center + w, center - v, center - w};
+  const Vec3 along_x = 0.5 * (p[1] - p[0] + p[2] - p[3]);
+  const Vec3 along_y = 0.5 * (p[3] - p[0] + p[2] - p[1]);
+  const Vec3 normal = along_x.cross(along_y).normalized();
+  const auto pulled = [&](double length, double target) {
+    return length > 0.0 ? length * std::pow(target / length, size_weight) : target;
+  };
+  const double width = pulled(along_x.norm(), size.along_x);
+  const double height = pulled(along_y.norm(), size.along_y);
+  const Vec3 u = (width * along_x + height * along_y.cross(normal)).normalized();
+  const Vec3 half_u = 0.5 * width * u;
+  const Vec3 half_v = 0.5 * height * normal.cross(u);
+  return {center - half_u - half_v, center + half_u - half_v, center + half_u + half_v,
+          center - half_u + half_v};
 }
 
 class Relaxer {
  public:
-  Relaxer(QuadMesh& mesh, std::vector<int>& face, const std::vector<double>& size,
+  Relaxer(QuadMesh& mesh, std::vector<int>& face, const std::vector<QuadSize>& size,
           const TriangleSurface& surface, const Connectivity& connectivity,
           const RelaxOptions& options)
       : mesh_(mesh),
@@ -96,8 +98,8 @@ class Relaxer {
 
   void step() {
     parallel_for(mesh_.quads.size(), [&](std::size_t q) {
-      targets_[q] = fitted_square(corners_of(mesh_, static_cast<int>(q)), size_[q],
-                                  options_.size_weight);
+      targets_[q] = fitted_rectangle(corners_of(mesh_, static_cast<int>(q)), size_[q],
+                                     options_.size_weight);
     });
     moved_ = mesh_;
     moved_face_ = face_;
@@ -155,7 +157,7 @@ class Relaxer {
 
   QuadMesh& mesh_;
   std::vector<int>& face_;
-  const std::vector<double>& size_;
+  const std::vector<QuadSize>& size_;
   const RelaxOptions& options_;
   SurfaceProjector projector_;
   std::vector<LoopCurve> loops_;
@@ -168,7 +170,7 @@ class Relaxer {
 
 }  // namespace
 
-RelaxResult relax(QuadMesh& mesh, std::vector<int>& face, const std::vector<double>& size,
+RelaxResult relax(QuadMesh& mesh, std::vector<int>& face, const std::vector<QuadSize>& size,
                   const TriangleSurface& surface, const Connectivity& connectivity,
                   const RelaxOptions& options) {
   return Relaxer(mesh, face, size, surface, connectivity, options).run();

@@ -10,7 +10,7 @@ namespace hexwall {
 
 struct RelaxOptions {
   int iterations = 60;
-  double size_weight = 0.5;  ///< how hard each square is pulled to its target size, 0 … 1
+  double size_weight = 0.5;  ///< how hard each rectangle is pulled to its target size, 0 … 1
 };
 
 struct RelaxResult {
@@ -19,15 +19,21 @@ struct RelaxResult {
                          ///< worst one
 };
 
-/// Moves the vertices of a quad mesh on the input surface towards square quads of given sizes.
+/// Target size of a quad: along its sides 0-1, 2-3 and along its sides 1-2, 3-0.
+struct QuadSize {
+  double along_x;
+  double along_y;
+};
+
+/// Moves the vertices of a quad mesh on the input surface towards rectangles of given sizes.
 ///
-/// Each iteration fits a square to every quad and moves each vertex to the mean of its corners
+/// Each iteration fits a rectangle to every quad and moves each vertex to the mean of its corners
 /// (shape-up, after Bouaziz et al., "Shape-Up", SGP 2012, with Jacobi steps), then back on the
 /// surface; vertices of a boundary loop slide along their loop. A step never lowers the minimum
 /// scaled Jacobian of the mesh.
 /// \param face #V triangle of `surface` on which each vertex lies; updated.
-/// \param size #Q target edge length of each quad.
-RelaxResult relax(QuadMesh& mesh, std::vector<int>& face, const std::vector<double>& size,
+/// \param size #Q target of each quad.
+RelaxResult relax(QuadMesh& mesh, std::vector<int>& face, const std::vector<QuadSize>& size,
                   const TriangleSurface& surface, const Connectivity& connectivity,
                   const RelaxOptions& options = {});
 

@@ -193,8 +193,8 @@ Role role_of(const Element& element, const Property& property) {
 
 void read_list(Source& source, const Property& property, Encoding encoding,
                std::vector<int>* corners) {
-  const double count = source.number(*property.count_type, encoding);
-  for (double i = 0; i < count; ++i) {
+  const auto count = static_cast<std::int64_t>(source.number(*property.count_type, encoding));
+  for (std::int64_t i = 0; i < count; ++i) {
     const double value = source.number(property.type, encoding);
     // Beyond int there are no points either: -1 is refused as out of range.
     const bool is_index = value >= 0.0 && value < 2147483647.0;

@@ -26,26 +26,26 @@ Branch aorta() {
 }
 
 Branch celiac() {
-  return side_branch({{0, 6, 24}, {1, 16, 24}, {3, 26, 26}, {6, 37, 28}}, {3.6, 3.5, 3.4, 3.3}, 3);
+  return side_branch({{0, 6, 24}, {1, 16, 24}, {3, 26, 26}, {6, 37, 28}}, {3.6, 3.5, 3.4, 3.3}, 5);
 }
 
 Branch superior_mesenteric() {
-  return side_branch({{0, 6, 4}, {0, 16, 3}, {-1, 26, -1}, {-2, 37, -8}}, {3.7, 3.6, 3.4, 3.3}, 3);
+  return side_branch({{0, 6, 4}, {0, 16, 3}, {-1, 26, -1}, {-2, 37, -8}}, {3.7, 3.6, 3.4, 3.3}, 5);
 }
 
 Branch right_renal() {
   return side_branch({{-5, 0, -12}, {-18, 1, -14}, {-32, -3, -17}, {-45, -10, -20}},
-                     {3.0, 2.9, 2.8, 2.7}, 2.5);
+                     {3.0, 2.9, 2.8, 2.7}, 4);
 }
 
 Branch left_renal() {
   return side_branch({{5, 0, -8}, {18, 1, -9}, {32, -3, -12}, {45, -10, -15}}, {3.0, 2.9, 2.8, 2.7},
-                     2.5);
+                     4);
 }
 
 Branch inferior_mesenteric() {
   return side_branch({{3, 6, -108}, {8, 19, -115}, {14, 28, -126}, {19, 34, -139}},
-                     {2.3, 2.2, 2.1, 2.0}, 2);
+                     {2.3, 2.2, 2.1, 2.0}, 4);
 }
 
 /// Common and external iliac artery of one side: -1 the right one, +1 the left one.
@@ -57,15 +57,15 @@ Branch iliac(double side) {
                       {41 * side, 1, -210},
                       {51 * side, 11, -232},
                       {58 * side, 25, -253}},
-                     {7.0, 6.7, 6.4, 6.0, 5.2, 4.8, 4.5}, 5);
+                     {7.0, 6.7, 6.4, 6.0, 5.2, 4.8, 4.5}, 8);
 }
 
 Branch internal_iliac(double side) {
   return side_branch({{29 * side, -3, -186},
-                      {28 * side, -14, -199},
-                      {26 * side, -25, -213},
-                      {25 * side, -34, -229}},
-                     {4.0, 3.8, 3.6, 3.5}, 3);
+                      {28 * side, -16, -196},
+                      {26 * side, -28, -210},
+                      {25 * side, -37, -227}},
+                     {4.0, 3.8, 3.6, 3.5}, 6);
 }
 
 }  // namespace

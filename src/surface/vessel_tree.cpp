@@ -75,7 +75,7 @@ void sample_block(const VesselField& field, const Grid& grid, const std::array<i
 }
 
 vtkSmartPointer<vtkImageData> sample_field(const VesselField& field, const Grid& grid) {
-  const auto image = vtkSmartPointer<vtkImageData>::New();
+  auto image = vtkSmartPointer<vtkImageData>::New();
   image->SetDimensions(grid.size.data());
   image->SetSpacing(grid.spacing, grid.spacing, grid.spacing);
   image->SetOrigin(grid.origin.data());

@@ -9,11 +9,14 @@
 namespace hexwall {
 namespace {
 
-// "ERROR: In file.cxx, line 7\nvtkReader (0x1234): message\n\n" -> "message". The address would
+// "ERROR: In file.cxx, line 7\nvtkReader (0x1234): message\n\n" -> "message", and
+// "Generic Warning: In file.cxx, line 7\nmessage\n\n" -> "message". The address would
 // make every run's message different.
 std::string_view strip_origin(std::string_view text) {
-  const std::size_t origin = text.find("): ");
-  if (origin != std::string_view::npos) text.remove_prefix(origin + 3);
+  const bool is_generic = text.starts_with("Generic Warning");
+  const std::string_view end_of_origin = is_generic ? "\n" : "): ";
+  const std::size_t origin = text.find(end_of_origin);
+  if (origin != std::string_view::npos) text.remove_prefix(origin + end_of_origin.size());
   const std::size_t last = text.find_last_not_of(" \n\r\t");
   return text.substr(0, last == std::string_view::npos ? 0 : last + 1);
 }

@@ -31,7 +31,7 @@ vtkSmartPointer<vtkPolyData> poly_data_of(const TriangleSurface& surface) {
   for (const Vec3& p : surface.points) points->InsertNextPoint(p.data());
   vtkNew<vtkCellArray> cells;
   for (const auto& t : surface.triangles) cells->InsertNextCell({t[0], t[1], t[2]});
-  const auto data = vtkSmartPointer<vtkPolyData>::New();
+  auto data = vtkSmartPointer<vtkPolyData>::New();
   data->SetPoints(points);
   data->SetPolys(cells);
   return data;

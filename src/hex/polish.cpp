@@ -1,0 +1,197 @@
+#include "hex/polish.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include <Eigen/Geometry>
+
+#include "core/parallel.h"
+#include "hex/column.h"
+#include "quad/quality.h"
+
+namespace hexwall {
+namespace {
+
+// Goals: well above what is required (0.4, 0.2 and 0), so that reaching them nearly is good enough.
+double env(const char* n, double d) { return getenv(n) ? atof(getenv(n)) : d; }
+double wanted_quad_jacobian = env("HW_Q", 0.5);
+double wanted_hex_jacobian = env("HW_H", 0.3);
+double wanted_face_split = env("HW_S", 0.15);
+// Widest quads relative to the height of a layer: OpenFOAM calls cells beyond 29 under-determined.
+double widest = env("HW_A", 25.0);
+// Steps of the search: relative to the shortest edge for moves, in radians for tilts.
+constexpr double first_move = 0.3;
+constexpr double first_tilt = 0.3;
+constexpr double smallest_step = 0.02;
+constexpr int step_directions = 8;
+
+double square(double x) { return x * x; }
+
+class Polisher {
+ public:
+  Polisher(QuadMesh& quads, std::vector<SurfacePoint>& places, std::vector<Vec3>& directions,
+           const SurfaceProjector& projector, const PolishOptions& options)
+      : quads_(quads),
+        places_(places),
+        directions_(directions),
+        projector_(projector),
+        options_(options),
+        fractions_(layer_fractions(options.layers, options.growth)),
+        thinnest_layer_(options.thickness / options.layers),
+        first_quad_(quads.points.size() + 1, 0),
+        quads_of_vertex_(4 * quads.quads.size()),
+        shortfall_(quads.quads.size()),
+        step_(quads.points.size(), 1.0),
+        moved_(quads.points.size(), 0) {
+    for (const auto& quad : quads.quads) {
+      for (const int v : quad) ++first_quad_[v + 1];
+    }
+    for (std::size_t v = 0; v < quads.points.size(); ++v) first_quad_[v + 1] += first_quad_[v];
+    std::vector<int> next(first_quad_.begin(), first_quad_.end() - 1);
+    for (std::size_t q = 0; q < quads.quads.size(); ++q) {
+      for (const int v : quads.quads[q]) quads_of_vertex_[next[v]++] = static_cast<int>(q);
+    }
+  }
+
+  PolishResult run() {
+    PolishResult result;
+    parallel_for(shortfall_.size(),
+                 [&](std::size_t q) { shortfall_[q] = shortfall(static_cast<int>(q)); });
+    result.columns_before = count_short();
+    for (int sweep = 0; sweep < options_.sweeps; ++sweep) {
+      bool changed = false;
+      for (const int v : vertices_of_short_columns()) changed = improve(v) || changed;
+      if (!changed) break;
+    }
+    result.columns_after = count_short();
+    result.moved = static_cast<int>(std::count(moved_.begin(), moved_.end(), 1));
+    return result;
+  }
+
+ private:
+  int count_short() const {
+    return static_cast<int>(
+        std::count_if(shortfall_.begin(), shortfall_.end(), [](double s) { return s > 0.0; }));
+  }
+
+  double shortfall(int q) const {
+    Column column;
+    for (int k = 0; k < 4; ++k) {
+      const int v = quads_.quads[q][k];
+      column.base[k] = quads_.points[v];
+      column.direction[k] = directions_[v];
+      column.thickness[k] = options_.thickness;
+    }
+    const ColumnQuality quality = column_quality(column, fractions_);
+    const double side = std::sqrt(0.5 * doubled_area_vector(column.base).norm());
+    const double limit = std::max(2.0 * options_.size, widest * thinnest_layer_);
+    return square(std::max(0.0, side / limit - 1.0)) +
+           square(std::max(0.0, wanted_quad_jacobian - scaled_jacobian(column.base))) +
+           square(std::max(0.0, wanted_hex_jacobian - quality.scaled_jacobian)) +
+           square(std::max(0.0, wanted_face_split - quality.face_split));
+  }
+
+  // Vertices of short columns that may still move, in order of their numbers.
+  std::vector<int> vertices_of_short_columns() const {
+    std::vector<int> vertices;
+    for (std::size_t q = 0; q < shortfall_.size(); ++q) {
+      if (shortfall_[q] <= 0.0) continue;
+      for (const int v : quads_.quads[q]) {
+        if (quads_.loop_of_vertex[v] < 0 && step_[v] > smallest_step) vertices.push_back(v);
+      }
+    }
+    std::sort(vertices.begin(), vertices.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    return vertices;
+  }
+
+  double cost_around(int v) const {
+    double sum = 0.0;
+    for (int i = first_quad_[v]; i < first_quad_[v + 1]; ++i) sum += shortfall(quads_of_vertex_[i]);
+    return sum;
+  }
+
+  double shortest_edge(int v) const {
+    double shortest = std::numeric_limits<double>::max();
+    for (int i = first_quad_[v]; i < first_quad_[v + 1]; ++i) {
+      const auto& quad = quads_.quads[quads_of_vertex_[i]];
+      for (int k = 0; k < 4; ++k) {
+        if (quad[k] != v && quad[(k + 1) % 4] != v) continue;
+        const Vec3& a = quads_.points[quad[k]];
+        shortest = std::min(shortest, (a - quads_.points[quad[(k + 1) % 4]]).norm());
+      }
+    }
+    return shortest;
+  }
+
+  // Takes the best of a ring of moves and a ring of tilts; halves the steps where none helps.
+  bool improve(int v) {
+    const SurfacePoint place = places_[v];
+    const Vec3 direction = directions_[v];
+    const Vec3 e1 = direction.unitOrthogonal();
+    const Vec3 e2 = direction.cross(e1);
+    const double move = first_move * step_[v] * shortest_edge(v);
+    const double tilt = first_tilt * step_[v];
+    double best = cost_around(v) * (1.0 - 1e-6);  // a gain below that is not worth a sweep
+    SurfacePoint best_place = place;
+    Vec3 best_direction = direction;
+    bool found = false;
+    for (int i = 0; i < 2 * step_directions; ++i) {
+      const double angle = 2.0 * std::numbers::pi * i / step_directions;
+      const Vec3 tangent = std::cos(angle) * e1 + std::sin(angle) * e2;
+      const bool moves = i < step_directions;
+      set(v, moves ? projector_.project(place.position + move * tangent, place.face) : place,
+          moves ? direction : (direction + tilt * tangent).normalized());
+      const double cost = cost_around(v);
+      if (cost >= best) continue;
+      best = cost;
+      best_place = places_[v];
+      best_direction = directions_[v];
+      found = true;
+    }
+    set(v, best_place, best_direction);
+    if (found) {
+      accept(v);
+    } else {
+      step_[v] *= 0.5;
+    }
+    return found || step_[v] > smallest_step;
+  }
+
+  void set(int v, const SurfacePoint& place, const Vec3& direction) {
+    places_[v] = place;
+    quads_.points[v] = place.position;
+    directions_[v] = direction;
+  }
+
+  void accept(int v) {
+    moved_[v] = 1;
+    for (int i = first_quad_[v]; i < first_quad_[v + 1]; ++i) {
+      shortfall_[quads_of_vertex_[i]] = shortfall(quads_of_vertex_[i]);
+    }
+  }
+
+  QuadMesh& quads_;
+  std::vector<SurfacePoint>& places_;
+  std::vector<Vec3>& directions_;
+  const SurfaceProjector& projector_;
+  const PolishOptions& options_;
+  std::vector<double> fractions_;
+  double thinnest_layer_;
+  std::vector<int> first_quad_, quads_of_vertex_;
+  std::vector<double> shortfall_;
+  std::vector<double> step_;
+  std::vector<char> moved_;
+};
+
+}  // namespace
+
+PolishResult polish(QuadMesh& quads, std::vector<SurfacePoint>& places,
+                    std::vector<Vec3>& directions, const SurfaceProjector& projector,
+                    const PolishOptions& options) {
+  return Polisher(quads, places, directions, projector, options).run();
+}
+
+}  // namespace hexwall

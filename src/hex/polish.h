@@ -1,0 +1,34 @@
+#pragma once
+
+#include <vector>
+
+#include "quad/quad_mesh.h"
+#include "surface/projector.h"
+
+namespace hexwall {
+
+struct PolishOptions {
+  double size = 1.0;       ///< target edge length of the quads
+  double thickness = 1.0;  ///< of the wall to come, in the mesh's length unit
+  int layers = 3;
+  double growth = 1.0;
+  int sweeps = 60;
+};
+
+struct PolishResult {
+  int columns_before = 0;  ///< columns of hexes short of the goals before and after
+  int columns_after = 0;
+  int moved = 0;           ///< vertices moved or turned
+};
+
+/// Improves the few columns of hexes that would come out bad, near zeros on strongly curved
+/// crotches mostly: moves their vertices on the surface and tilts their directions, by pattern
+/// search on the sum of the squared shortfalls of `ColumnQuality`. All other vertices stay.
+/// Vertices of boundary loops stay where they are.
+/// \param places #V triangle and position of each vertex of `quads`; updated with `quads.points`.
+/// \param directions #V unit vectors; updated.
+PolishResult polish(QuadMesh& quads, std::vector<SurfacePoint>& places,
+                    std::vector<Vec3>& directions, const SurfaceProjector& projector,
+                    const PolishOptions& options);
+
+}  // namespace hexwall
