@@ -111,13 +111,30 @@ double conformal_area(const PipelineResult& r) {
   return sum;
 }
 
+// Number of quads before rounding, if each cylinder is as dense around as along.
+double expected_quads(const std::vector<Cylinder>& cylinders,
+                      const std::vector<RowSpacing>& spacing) {
+  double sum = 0.0;
+  for (std::size_t c = 0; c < cylinders.size(); ++c) {
+    if (cylinders[c].height() <= 0.0) continue;
+    const double rows = spacing[c].wanted();
+    sum += cylinders[c].circumference() * rows * rows / cylinders[c].height();
+  }
+  return sum;
+}
+
 // Integers such that quads of edge `size` would cover the area of the surface.
 void find_numbers(PipelineResult& r) {
   const double area = total_area(r.surface);
   if (!r.options.size) r.options.size = std::sqrt(area / default_quad_count);
   const double size_in_plane = *r.options.size * std::sqrt(conformal_area(r) / area);
-  r.spacing = space_rows(r.refined.surface, r.refined_connectivity, r.form, r.foliation.cylinders,
-                         {*r.options.size, size_in_plane, r.options.relax});
+  r.spacing = space_rows(r.refined.surface, r.refined_connectivity, r.form, r.scale_factor,
+                         r.foliation.cylinders, {*r.options.size, size_in_plane, r.options.relax});
+  const double wanted = area / (*r.options.size * *r.options.size);
+  const double factor = std::sqrt(wanted / expected_quads(r.foliation.cylinders, r.spacing));
+  for (RowSpacing& spacing : r.spacing) {
+    for (double& rows : spacing.rows) rows *= factor;
+  }
   QuantiseOptions options;
   options.size = size_in_plane;
   r.numbers = quantise(r.foliation.cylinders, r.foliation.strips, r.spacing, options);
@@ -126,7 +143,6 @@ void find_numbers(PipelineResult& r) {
 // Target size per quad: its conformal size, drawn towards the size asked for by `relax`.
 std::vector<QuadSize> target_sizes(const PipelineResult& r) {
   const double size = *r.options.size;
-  const double plane = size * std::sqrt(conformal_area(r) / total_area(r.surface));
   const auto target = [&](double conformal) {
     const double ratio = std::clamp(conformal / size, 1.0 / greatest_size_ratio, greatest_size_ratio);
     return size * std::pow(ratio, 1.0 - r.options.relax);
@@ -138,7 +154,8 @@ std::vector<QuadSize> target_sizes(const PipelineResult& r) {
     for (const int v : r.conformal.mesh.quads[q]) {
       scale += 0.25 * r.scale_factor[r.conformal.face[v]];
     }
-    targets.push_back({target(plane / scale), target(r.conformal.row_height[q] / scale)});
+    targets.push_back({target(r.conformal.column_width[q] / scale),
+                       target(r.conformal.row_height[q] / scale)});
   }
   return targets;
 }
@@ -155,17 +172,21 @@ std::vector<SurfacePoint> relax_quads(PipelineResult& r) {
   return places;
 }
 
-// Mean radius of the vessel: each quad's ring of quads around the vessel, taken as a circle.
+// Mean radius of the vessel: every ring of quads around it, taken as a circle, weighted by area.
 double mean_radius(const PipelineResult& r) {
   double area_sum = 0.0;
   double sum = 0.0;
-  for (int q = 0; q < static_cast<int>(r.quads.quads.size()); ++q) {
-    const auto p = corners_of(r.quads, q);
-    const double width = 0.5 * ((p[1] - p[0]).norm() + (p[2] - p[3]).norm());
-    const double ring = width * r.numbers.around(r.foliation.strips, r.quads.cylinder[q]);
-    const double area = 0.5 * doubled_area_vector(p).norm();
+  for (std::size_t q = 0; q < r.quads.quads.size();) {
+    const int around = r.numbers.around(r.foliation.strips, r.quads.cylinder[q]);
+    double length = 0.0;
+    double area = 0.0;
+    for (int i = 0; i < around; ++i, ++q) {
+      const auto p = corners_of(r.quads, static_cast<int>(q));
+      length += 0.5 * ((p[1] - p[0]).norm() + (p[2] - p[3]).norm());
+      area += 0.5 * doubled_area_vector(p).norm();
+    }
     area_sum += area;
-    sum += area * ring / (2.0 * std::numbers::pi);
+    sum += area * length / (2.0 * std::numbers::pi);
   }
   return sum / area_sum;
 }
@@ -185,7 +206,7 @@ void extrude_wall(PipelineResult& r, std::vector<SurfacePoint> places) {
   std::vector<Vec3> directions = find_directions(r, places);
   const SurfaceProjector projector(r.surface, r.connectivity);
   r.polishing = polish(r.quads, places, directions, projector,
-                       {*r.options.size, *r.options.thickness, r.options.layers, r.options.growth});
+                       {*r.options.thickness, r.options.layers, r.options.growth});
   r.quad_quality = quad_quality(r.quads, *r.options.size);
   std::vector<std::string> names;
   for (const Opening& opening : r.openings) names.push_back(opening.name);

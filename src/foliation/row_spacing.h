@@ -25,11 +25,12 @@ struct RowSpacingOptions {
 };
 
 /// Spreads rows so that they stay even along vessels where the conformal scale varies. The conformal
-/// map stretches a level curve of length L and circumference P by L / P on average; rows are denser
-/// by (L / P * size_in_plane / size)^evenness than conformal ones. Grid lines stay what they are:
+/// map's stretch on a level curve is s, the root mean square of 1 / |grad y| in x; rows are denser by
+/// (s * size_in_plane / size)^evenness than conformal ones. Grid lines stay what they are:
 /// level curves and vertical trajectories, at right angles to each other.
 std::vector<RowSpacing> space_rows(const TriangleSurface& surface, const Connectivity& mesh,
                                    const HolomorphicForm& form,
+                                   const std::vector<double>& scale_factor,
                                    const std::vector<Cylinder>& cylinders,
                                    const RowSpacingOptions& options);
 

@@ -15,12 +15,9 @@ namespace hexwall {
 namespace {
 
 // Goals: well above what is required (0.4, 0.2 and 0), so that reaching them nearly is good enough.
-double env(const char* n, double d) { return getenv(n) ? atof(getenv(n)) : d; }
-double wanted_quad_jacobian = env("HW_Q", 0.5);
-double wanted_hex_jacobian = env("HW_H", 0.3);
-double wanted_face_split = env("HW_S", 0.15);
-// Widest quads relative to the height of a layer: OpenFOAM calls cells beyond 29 under-determined.
-double widest = env("HW_A", 25.0);
+constexpr double wanted_quad_jacobian = 0.5;
+constexpr double wanted_hex_jacobian = 0.3;
+constexpr double wanted_face_split = 0.15;
 // Steps of the search: relative to the shortest edge for moves, in radians for tilts.
 constexpr double first_move = 0.3;
 constexpr double first_tilt = 0.3;
@@ -39,7 +36,6 @@ class Polisher {
         projector_(projector),
         options_(options),
         fractions_(layer_fractions(options.layers, options.growth)),
-        thinnest_layer_(options.thickness / options.layers),
         first_quad_(quads.points.size() + 1, 0),
         quads_of_vertex_(4 * quads.quads.size()),
         shortfall_(quads.quads.size()),
@@ -85,10 +81,7 @@ class Polisher {
       column.thickness[k] = options_.thickness;
     }
     const ColumnQuality quality = column_quality(column, fractions_);
-    const double side = std::sqrt(0.5 * doubled_area_vector(column.base).norm());
-    const double limit = std::max(2.0 * options_.size, widest * thinnest_layer_);
-    return square(std::max(0.0, side / limit - 1.0)) +
-           square(std::max(0.0, wanted_quad_jacobian - scaled_jacobian(column.base))) +
+    return square(std::max(0.0, wanted_quad_jacobian - scaled_jacobian(column.base))) +
            square(std::max(0.0, wanted_hex_jacobian - quality.scaled_jacobian)) +
            square(std::max(0.0, wanted_face_split - quality.face_split));
   }
@@ -179,7 +172,6 @@ class Polisher {
   const SurfaceProjector& projector_;
   const PolishOptions& options_;
   std::vector<double> fractions_;
-  double thinnest_layer_;
   std::vector<int> first_quad_, quads_of_vertex_;
   std::vector<double> shortfall_;
   std::vector<double> step_;

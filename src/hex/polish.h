@@ -8,7 +8,6 @@
 namespace hexwall {
 
 struct PolishOptions {
-  double size = 1.0;       ///< target edge length of the quads
   double thickness = 1.0;  ///< of the wall to come, in the mesh's length unit
   int layers = 3;
   double growth = 1.0;

@@ -123,6 +123,8 @@ class Extractor {
     for (int j = 0; j < rows; ++j) {
       add_quads(c, rings[j], rings[j + 1]);
       result_.row_height.resize(result_.mesh.quads.size(), level_y(c, j + 1) - level_y(c, j));
+      result_.column_width.resize(result_.mesh.quads.size(),
+                                  cylinders_[c].circumference() / numbers_.around(strips_, c));
     }
     add_vertical_lines(c, rings);
     first_patch_ += static_cast<int>(strips_.in_cylinder[c].size());

@@ -11,6 +11,7 @@ namespace hexwall {
 /// The quad mesh of a quantised foliation, with its vertices on the surface.
 struct ExtractResult {
   QuadMesh mesh;
+  std::vector<double> column_width;              ///< #Q mean width in x of the quads of its ring
   std::vector<double> row_height;                ///< #Q height of each quad in y
   std::vector<int> face;                         ///< #V triangle on which each vertex lies
   std::vector<std::vector<int>> vertical_lines;  ///< vertices along critical trajectories, one

@@ -19,19 +19,24 @@ double squared_error(int count, double target) {
 class StripRounding {
  public:
   StripRounding(const std::vector<Cylinder>& cylinders, const Strips& strips,
-                const QuantiseOptions& options)
-      : fewest_(options.fewest_around), cylinders_of_strip_(strips.width.size()) {
-    for (const double width : strips.width) {
-      strip_target_.push_back(width / options.size);
-      across_.push_back(std::max(1, static_cast<int>(std::lround(strip_target_.back()))));
-    }
+                const std::vector<RowSpacing>& spacing, const QuantiseOptions& options)
+      : fewest_(options.fewest_around),
+        cylinders_of_strip_(strips.width.size()),
+        strip_target_(strips.width.size(), 0.0) {
     for (std::size_t c = 0; c < cylinders.size(); ++c) {
-      around_target_.push_back(cylinders[c].circumference() / options.size);
-      around_.push_back(0);
+      // As dense around as along, so that quads are square in the (x, y) plane.
+      const double height = cylinders[c].height();
+      const double density = height > 0.0 ? spacing[c].wanted() / height : 1.0 / options.size;
+      around_target_.push_back(cylinders[c].circumference() * density);
       for (const LineInCylinder& line : strips.in_cylinder[c]) {
-        around_.back() += across_[line.strip];
         cylinders_of_strip_[line.strip].push_back(static_cast<int>(c));
       }
+    }
+    set_strip_targets(cylinders, spacing, strips.width, options.size);
+    around_.assign(cylinders.size(), 0);
+    for (std::size_t s = 0; s < strip_target_.size(); ++s) {
+      across_.push_back(std::max(1, static_cast<int>(std::lround(strip_target_[s]))));
+      for (const int c : cylinders_of_strip_[s]) around_[c] += across_.back();
     }
   }
 
@@ -42,6 +47,21 @@ class StripRounding {
   }
 
  private:
+  // A strip is as dense as the cylinders that it crosses, on the mean over its length.
+  void set_strip_targets(const std::vector<Cylinder>& cylinders,
+                         const std::vector<RowSpacing>& spacing, const std::vector<double>& width,
+                         double size) {
+    for (std::size_t s = 0; s < width.size(); ++s) {
+      double rows = 0.0;
+      double height = 0.0;
+      for (const int c : cylinders_of_strip_[s]) {
+        rows += spacing[c].wanted();
+        height += cylinders[c].height();
+      }
+      strip_target_[s] = width[s] * (height > 0.0 ? rows / height : 1.0 / size);
+    }
+  }
+
   // Applies the best step of +-1 on one strip, or of +1 and -1 on two.
   bool improve() {
     const int count = static_cast<int>(across_.size());
@@ -127,7 +147,7 @@ long Quantisation::quad_count(const Strips& strips) const {
 Quantisation quantise(const std::vector<Cylinder>& cylinders, const Strips& strips,
                       const std::vector<RowSpacing>& spacing, const QuantiseOptions& options) {
   Quantisation result;
-  result.across = StripRounding(cylinders, strips, options).run();
+  result.across = StripRounding(cylinders, strips, spacing, options).run();
   for (const RowSpacing& rows : spacing) {
     result.along.push_back(std::max(1, static_cast<int>(std::lround(rows.wanted()))));
   }

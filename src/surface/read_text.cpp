@@ -26,7 +26,8 @@ class LineReader {
       if (rest_.empty()) return false;
       const std::size_t end = std::min(rest_.find_first_of("\n\r"), rest_.size());
       const bool is_crlf = rest_.substr(end).starts_with("\r\n");
-      split(rest_.substr(0, std::min(end, rest_.find('#'))), tokens);
+      const std::string_view line = rest_.substr(0, end);
+      split(line.substr(0, line.find('#')), tokens);
       rest_.remove_prefix(std::min(end + (is_crlf ? 2 : 1), rest_.size()));
       ++line_;
     } while (tokens.empty());

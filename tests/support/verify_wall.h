@@ -1,0 +1,16 @@
+#pragma once
+
+#include "hex/hex_mesh.h"
+#include "pipeline.h"
+#include "support/mesh_verifier.h"
+
+namespace hexwall::test {
+
+/// `verify_hexes` on a mesh of the pipeline's.
+HexVerdict verify_wall(const HexMesh& mesh);
+
+/// Expects all that holds for every wall: valid hexes that fill their boundary, every quad with all
+/// its layers, patches and zones that are what they are called, numbers as reported.
+void expect_valid_wall(const PipelineResult& result);
+
+}  // namespace hexwall::test

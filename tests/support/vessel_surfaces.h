@@ -1,0 +1,140 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "support/shared_data.h"
+#include "surface/check.h"
+#include "surface/connectivity.h"
+#include "surface/generate.h"
+#include "surface/read.h"
+#include "surface/triangle_surface.h"
+
+namespace hexwall::test {
+
+inline Connectivity connectivity_of(const TriangleSurface& surface) {
+  return {static_cast<int>(surface.points.size()), surface.triangles};
+}
+
+inline std::vector<double> loop_lengths(const TriangleSurface& surface, const Connectivity& mesh) {
+  std::vector<double> lengths;
+  for (const std::vector<int>& loop : mesh.loops()) {
+    double sum = 0.0;
+    for (const int v : loop) {
+      sum += (surface.points[mesh.tip(mesh.outgoing(v))] - surface.points[v]).norm();
+    }
+    lengths.push_back(sum);
+  }
+  return lengths;
+}
+
+/// The surfaces of `generate_shape`, with edge lengths that keep tests quick.
+inline const std::map<std::string, std::pair<Shape, double>>& coarse_shapes() {
+  static const std::map<std::string, std::pair<Shape, double>> shapes{
+      {"annulus", {Shape::annulus, 0.1}},
+      {"eccentric_annulus", {Shape::eccentric_annulus, 0.06}},
+      {"cylinder", {Shape::cylinder, 0.25}},
+      {"bifurcation", {Shape::bifurcation, 0.25}},
+      {"aaa", {Shape::aaa, 2.0}}};
+  return shapes;
+}
+
+inline std::vector<std::string> coarse_shape_names() {
+  std::vector<std::string> names;
+  for (const auto& [name, shape] : coarse_shapes()) names.push_back(name);
+  return names;
+}
+
+/// Names for `vessel_surface`: the generated shapes, and the shared files that are vessel walls.
+inline std::vector<std::string> vessel_surface_names() {
+  std::vector<std::string> names = coarse_shape_names();
+  for (const SharedFile& file : shared_files) {
+    if (file.outcome == ExitCode::success) names.emplace_back(file.name);
+  }
+  return names;
+}
+
+/// A surface by name, wound outward; null where it is a shared file that is not there. Each one is
+/// made once.
+inline const TriangleSurface* vessel_surface(const std::string& name) {
+  static std::map<std::string, TriangleSurface> cache;
+  if (const auto found = cache.find(name); found != cache.end()) return &found->second;
+  const auto& shapes = coarse_shapes();
+  if (const auto shape = shapes.find(name); shape != shapes.end()) {
+    return &(cache[name] = generate_shape(shape->second.first, shape->second.second));
+  }
+  const auto folder = shared_data();
+  if (!folder || !std::filesystem::exists(*folder / name)) return nullptr;
+  return &(cache[name] = check_surface(read_surface(*folder / name).surface).surface);
+}
+
+/// The name of a test whose parameter is `name`.
+inline std::string alphanumeric(std::string name) {
+  std::replace_if(
+      name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
+  return name;
+}
+
+/// The same surface with its vertices and triangles in another order; `order[i]` is the former
+/// number of vertex i.
+inline TriangleSurface shuffled(const TriangleSurface& surface, std::uint64_t seed,
+                                std::vector<int>& order) {
+  std::mt19937_64 random(seed);
+  order.resize(surface.points.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<int>(i);
+  std::shuffle(order.begin(), order.end(), random);
+  TriangleSurface result;
+  std::vector<int> number(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    number[order[i]] = static_cast<int>(i);
+    result.points.push_back(surface.points[order[i]]);
+  }
+  for (const auto& [a, b, c] : surface.triangles) {
+    std::array<int, 3> triangle{number[a], number[b], number[c]};
+    std::rotate(triangle.begin(), triangle.begin() + static_cast<int>(random() % 3),
+                triangle.end());
+    result.triangles.push_back(triangle);
+  }
+  std::shuffle(result.triangles.begin(), result.triangles.end(), random);
+  return result;
+}
+
+inline TriangleSurface transformed(TriangleSurface surface,
+                                   const std::function<Vec3(const Vec3&)>& map) {
+  for (Vec3& p : surface.points) p = map(p);
+  return surface;
+}
+
+/// A rotation about no axis of the coordinate system, and a shift.
+inline Vec3 rigid_motion(const Vec3& p) {
+  const Eigen::AngleAxisd rotation(1.1, Vec3(1.0, -2.0, 0.5).normalized());
+  return rotation * p + Vec3(3.0, -1.0, 2.0);
+}
+
+/// A tube of random radius (by a fraction `crumple`) with long, skewed and folded triangles: hard
+/// for cotangent weights.
+inline TriangleSurface crumpled_tube(int n_around, int n_along, double length, std::uint64_t seed,
+                                     double crumple) {
+  TriangleSurface surface = cylinder(1.0, length, n_around, n_along);
+  std::mt19937_64 random(seed);
+  const auto unit = [&] { return static_cast<double>(random() >> 11) * 0x1.0p-53 - 0.5; };
+  for (Vec3& p : surface.points) {
+    if (p.z() < 1e-9 || p.z() > length - 1e-9) continue;
+    const double scale = 1.0 + crumple * unit();
+    p = Vec3(scale * p.x(), scale * p.y(), p.z() + 0.6 * unit() * length / n_along);
+  }
+  return surface;
+}
+
+}  // namespace hexwall::test
