@@ -22,7 +22,7 @@ constexpr double default_quad_count = 20000.0;
 constexpr double default_thickness_ratio = 0.1;
 // Conformal sizes beyond this ratio to the target are met near zeros and in blind sacs, where the
 // form's scale tends to 0: no quad should be asked to be that large or small.
-constexpr double greatest_size_ratio = 8.0;
+constexpr double greatest_size_ratio = 3.0;
 
 void require(bool holds, const std::string& message) {
   if (!holds) throw UsageError(message);
@@ -191,13 +191,18 @@ double mean_radius(const PipelineResult& r) {
   return sum / area_sum;
 }
 
-// Directions of extrusion: the surface's normals, kept in the planes of the loops.
-std::vector<Vec3> find_directions(const PipelineResult& r,
-                                  const std::vector<SurfacePoint>& places) {
+// Directions of extrusion: the surface's normals, kept in the planes of the loops, smoothed where
+// the wall would not come out well.
+std::vector<Vec3> find_directions(PipelineResult& r, const std::vector<SurfacePoint>& places) {
   std::vector<Vec3> directions = interpolated_normals(r.surface, places);
   std::vector<LoopPlane> planes;
   for (const Opening& opening : r.openings) planes.push_back(opening.plane);
   flatten_at_loops(r.quads, planes, directions);
+  SmoothDirectionsOptions options;
+  options.thickness = *r.options.thickness;
+  options.layers = r.options.layers;
+  options.growth = r.options.growth;
+  r.smoothed_directions = smooth_directions(r.quads, planes, options, directions);
   return directions;
 }
 

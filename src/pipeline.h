@@ -8,6 +8,7 @@
 #include "dec/delaunay.h"
 #include "foliation/foliation.h"
 #include "foliation/row_spacing.h"
+#include "hex/directions.h"
 #include "hex/extrude.h"
 #include "hex/polish.h"
 #include "holomorphic/basis.h"
@@ -55,6 +56,7 @@ struct PipelineResult {
   ExtractResult conformal;  ///< quads at their conformal places
   QuadMesh quads;           ///< after relaxation and polishing
   RelaxResult relaxation;
+  int smoothed_directions = 0;  ///< quad vertices not extruded along the surface's normal
   PolishResult polishing;
   QuadQuality quad_quality;
   ExtrudeResult wall;

@@ -109,7 +109,8 @@ Json wall_json(const PipelineResult& r) {
                {"min_scaled_jacobian", r.wall.min_scaled_jacobian},
                {"thickness_asked", *r.options.thickness},
                {"thickness_min", r.wall.thickness_min},
-               {"reduced_area_fraction", r.wall.reduced_area_fraction}};
+               {"reduced_area_fraction", r.wall.reduced_area_fraction},
+               {"smoothed_directions", r.smoothed_directions}};
   if (r.wall.reduced_area_fraction > 0.0) {
     json["thinnest_at"] = vector_json(r.quads.points[r.wall.worst_vertex]);
   }

@@ -3,13 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include "core/errors.h"
 #include "core/parallel.h"
-#include "core/tolerances.h"
 #include "hex/column.h"
 #include "hex/quality.h"
 #include "quad/quality.h"
@@ -236,36 +234,6 @@ double reduced_share(const QuadMesh& quads, const std::vector<double>& thickness
 }
 
 }  // namespace
-
-bool LoopPlane::is_planar() const { return deviation <= tolerance::loop_planarity * radius; }
-
-LoopPlane fit_plane(const std::vector<Vec3>& loop) {
-  LoopPlane plane;
-  plane.center = Vec3::Zero();
-  for (const Vec3& p : loop) plane.center += p / static_cast<double>(loop.size());
-  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-  for (const Vec3& p : loop) {
-    const Vec3 d = p - plane.center;
-    covariance += d * d.transpose();
-    plane.radius += d.norm() / static_cast<double>(loop.size());
-  }
-  plane.normal = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance).eigenvectors().col(0);
-  for (const Vec3& p : loop) {
-    plane.deviation = std::max(plane.deviation, std::abs((p - plane.center).dot(plane.normal)));
-  }
-  return plane;
-}
-
-void flatten_at_loops(const QuadMesh& quads, const std::vector<LoopPlane>& planes,
-                      std::vector<Vec3>& directions) {
-  for (std::size_t v = 0; v < directions.size(); ++v) {
-    const int loop = quads.loop_of_vertex[v];
-    if (loop < 0 || !planes[loop].is_planar()) continue;
-    const Vec3 flat = directions[v] - directions[v].dot(planes[loop].normal) * planes[loop].normal;
-    // A flat surface (an annulus in the plane of its loops) has no direction within that plane.
-    if (flat.norm() > 0.1) directions[v] = flat.normalized();
-  }
-}
 
 ExtrudeResult extrude(const QuadMesh& quads, std::vector<Vec3> directions,
                       const std::vector<std::string>& loop_names, const ExtrudeOptions& options) {

@@ -14,7 +14,7 @@ struct RelaxOptions {
 };
 
 struct RelaxResult {
-  int iterations = 0;
+  int iterations = 60;
   int frozen_moves = 0;  ///< vertex moves refused because a quad would have become worse than the
                          ///< worst one
 };

@@ -1,11 +1,13 @@
 // OpenFOAM's checkMesh on the walls of generated and real vessels, written by the program itself.
 
+#include "support/check_mesh.h"
+
+#include <ostream>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "support/check_mesh.h"
 #include "support/child_process.h"
 #include "support/surfaces.h"
 #include "support/temporary_folder.h"
@@ -17,6 +19,10 @@ struct Case {
   const char* surface;
   const char* size;  ///< empty: the default
 };
+
+void PrintTo(const Case& c, std::ostream* out) {
+  *out << c.surface << ' ' << c.size;
+}
 
 class Cases : public testing::TestWithParam<Case> {};
 
@@ -47,7 +53,9 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"vascularmd_cerebral_stenosis_quads.vtk", ""},
                     Case{"vascularmd_ideal_quads.vtk", ""}, Case{"openlb_bifurcation3d.vtp", ""},
                     Case{"carotid_jk_left.vtp", ""}),
-    [](const auto& test) { return test_name({test.param.surface, test.index}); });
+    [](const auto& test) {
+      return test_name({test.param.surface, test.index});
+    });
 
 }  // namespace
 }  // namespace hexwall::test

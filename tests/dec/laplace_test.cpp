@@ -81,9 +81,8 @@ TEST(LaplaceSolver, SolvesTheNeumannProblemWithOneVertexFixed) {
 
 TEST(LaplaceSolver, RefusesWeightsThatAreNotPositive) {
   const PlanarMesh plane;
-  test::expect_error(ExitCode::internal, {"not positive definite"}, [&] {
-    LaplaceSolver(plane.mesh, -plane.star, plane.boundary());
-  });
+  test::expect_error(ExitCode::internal, {"not positive definite"},
+                     [&] { LaplaceSolver(plane.mesh, -plane.star, plane.boundary()); });
 }
 
 }  // namespace

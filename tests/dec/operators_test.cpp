@@ -45,8 +45,8 @@ TEST_P(Operators, DerivativesDifferenceAlongHalfedges) {
   const OneForm any{Eigen::VectorXd::LinSpaced(mesh_.edge_count(), 0.0, 1.0)};
   const Eigen::VectorXd curl = d1(mesh_) * any.values;
   for (int f = 0; f < mesh_.face_count(); ++f) {
-    const double sum = any.along(mesh_, 3 * f) + any.along(mesh_, 3 * f + 1) +
-                       any.along(mesh_, 3 * f + 2);
+    const double sum =
+        any.along(mesh_, 3 * f) + any.along(mesh_, 3 * f + 1) + any.along(mesh_, 3 * f + 2);
     ASSERT_NEAR(curl[f], sum, 1e-15);
   }
 }

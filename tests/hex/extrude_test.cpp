@@ -128,8 +128,9 @@ TEST(Extrude, ThinsTheWallWhereDirectionsMeet) {
 TEST(Extrude, RefusesAFoldedSurfaceAndSaysWhere) {
   Tube t = tube(24, 6, 1.0, 2.0);
   t.quads.points[50] = t.quads.points[0];
-  expect_error(ExitCode::meshing, {"no wall", "(", "smaller --size"},
-               [&] { extrude(t.quads, t.directions, {"a", "b"}, {}); });
+  expect_error(ExitCode::meshing, {"no wall", "(", "smaller --size"}, [&] {
+    extrude(t.quads, t.directions, {"a", "b"}, {});
+  });
 }
 
 TEST(Extrude, RefusesAThicknessThatIsOutOfAllProportion) {
@@ -138,8 +139,9 @@ TEST(Extrude, RefusesAThicknessThatIsOutOfAllProportion) {
   for (auto& quad : t.quads.quads) std::swap(quad[1], quad[3]);
   ExtrudeOptions options;
   options.thickness = 1e5;
-  expect_error(ExitCode::meshing, {"no wall of positive thickness"},
-               [&] { extrude(t.quads, t.directions, {"a", "b"}, options); });
+  expect_error(ExitCode::meshing, {"no wall of positive thickness"}, [&] {
+    extrude(t.quads, t.directions, {"a", "b"}, options);
+  });
 }
 
 }  // namespace

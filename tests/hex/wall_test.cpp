@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <ostream>
 
 #include <gtest/gtest.h>
 
@@ -166,6 +167,10 @@ struct Goal {
   int zeros, strips;
   double energy;
 };
+
+void PrintTo(const Goal& goal, std::ostream* out) {
+  *out << goal.surface;
+}
 
 class Goals : public testing::TestWithParam<Goal> {};
 

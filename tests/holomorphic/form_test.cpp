@@ -22,7 +22,7 @@ Eigen::VectorXd some_periods(int n) {
 }
 
 TEST(Combine, KeepsLoopsOnOneLevelBitwise) {
-  const Harmonic h = harmonic(*test::vessel_surface("aaa"), 3);
+  const Harmonic h = harmonic(*test::vessel_surface("tree"), 3);
   const HolomorphicForm form = combine(h.mesh, h.basis, some_periods(h.n()));
   for (const std::vector<int>& loop : h.mesh.loops()) {
     for (const int v : loop) ASSERT_EQ(form.y[v], form.y[loop.front()]);
@@ -30,7 +30,7 @@ TEST(Combine, KeepsLoopsOnOneLevelBitwise) {
 }
 
 TEST(Combine, GivesTheFormThePeriodsAskedFor) {
-  const Harmonic h = harmonic(*test::vessel_surface("aaa"), 3);
+  const Harmonic h = harmonic(*test::vessel_surface("tree"), 3);
   const Eigen::VectorXd lambda = some_periods(h.n());
   const HolomorphicForm form = combine(h.mesh, h.basis, lambda);
   ASSERT_EQ(form.periods.size(), h.n() + 1);
@@ -50,7 +50,7 @@ TEST(Combine, IsTheSumOfThePotentials) {
 
 // The flux of grad y into the surface at each loop is the period of x.
 TEST(Combine, FluxOfYIsThePeriodOfX) {
-  const Harmonic h = harmonic(*test::vessel_surface("aaa"));
+  const Harmonic h = harmonic(*test::vessel_surface("tree"));
   const HolomorphicForm form = combine(h.mesh, h.basis, some_periods(h.n()));
   const Eigen::SparseMatrix<double> derivative = d0(h.mesh);
   // Green's formula: the sum of (L y) over the vertices of a loop is the flux out through it.
@@ -80,11 +80,11 @@ TEST(CombineOnCylinder, IsTheDevelopmentOfTheTube) {
     for (int e = 0; e < h.mesh.edge_count(); ++e) {
       const Vec3& p = tube.points[h.mesh.tail(h.mesh.halfedge(e))];
       const Vec3& q = tube.points[h.mesh.tip(h.mesh.halfedge(e))];
-      const double angle = std::remainder(std::atan2(q.y(), q.x()) - std::atan2(p.y(), p.x()),
-                                          2.0 * pi);
+      const double angle =
+          std::remainder(std::atan2(q.y(), q.x()) - std::atan2(p.y(), p.x()), 2.0 * pi);
       ASSERT_NEAR(form.dx.values[e], scale * angle, 1e-11);
-      const double dy = form.y[h.mesh.tip(h.mesh.halfedge(e))] -
-                        form.y[h.mesh.tail(h.mesh.halfedge(e))];
+      const double dy =
+          form.y[h.mesh.tip(h.mesh.halfedge(e))] - form.y[h.mesh.tail(h.mesh.halfedge(e))];
       ASSERT_NEAR(dy, dy_dz * (q.z() - p.z()), 1e-11);
     }
     EXPECT_LT(cauchy_riemann_defect(h, form), 1e-11);
@@ -119,8 +119,8 @@ TEST(CombineOnAnnulus, IsTheLogarithm) {
   for (int e = 0; e < h.mesh.edge_count(); ++e) {
     const Vec3& p = surface.points[h.mesh.tail(h.mesh.halfedge(e))];
     const Vec3& q = surface.points[h.mesh.tip(h.mesh.halfedge(e))];
-    const double angle = std::remainder(std::atan2(q.y(), q.x()) - std::atan2(p.y(), p.x()),
-                                        2.0 * pi);
+    const double angle =
+        std::remainder(std::atan2(q.y(), q.x()) - std::atan2(p.y(), p.x()), 2.0 * pi);
     ASSERT_NEAR(form.dx.values[e], -sign * angle, 1e-4);
   }
 }

@@ -75,15 +75,25 @@ class ProgramFails : public testing::Test {
 
 // --- exit code 2: the command line --------------------------------------------------------------
 
-TEST_F(ProgramFails, WithoutACommand) { expect_failure(2, {"subcommand"}, {}); }
+TEST_F(ProgramFails, WithoutACommand) {
+  expect_failure(2, {"subcommand"}, {});
+}
 
-TEST_F(ProgramFails, OnAnUnknownCommand) { expect_failure(2, {}, {"paint"}); }
+TEST_F(ProgramFails, OnAnUnknownCommand) {
+  expect_failure(2, {}, {"paint"});
+}
 
-TEST_F(ProgramFails, OnAnUnknownOption) { expect_usage_error({"--frobnicate"}, {"--frobnicate"}); }
+TEST_F(ProgramFails, OnAnUnknownOption) {
+  expect_usage_error({"--frobnicate"}, {"--frobnicate"});
+}
 
-TEST_F(ProgramFails, WithoutASurface) { expect_failure(2, {"SURFACE"}, {"mesh", "-o", output_}); }
+TEST_F(ProgramFails, WithoutASurface) {
+  expect_failure(2, {"SURFACE"}, {"mesh", "-o", output_});
+}
 
-TEST_F(ProgramFails, WithoutAnOutput) { expect_failure(2, {"--output"}, {"mesh", surface_}); }
+TEST_F(ProgramFails, WithoutAnOutput) {
+  expect_failure(2, {"--output"}, {"mesh", surface_});
+}
 
 TEST_F(ProgramFails, OnLengthsThatAreNotPositive) {
   for (const char* option : {"--size", "--thickness"}) {
@@ -111,7 +121,9 @@ TEST_F(ProgramFails, OnRelaxOutOfRange) {
   expect_usage_error({"--relax"}, {"--relax", "-0.1"});
 }
 
-TEST_F(ProgramFails, OnAnUnknownUnit) { expect_usage_error({"furlong"}, {"--units", "furlong"}); }
+TEST_F(ProgramFails, OnAnUnknownUnit) {
+  expect_usage_error({"furlong"}, {"--units", "furlong"});
+}
 
 TEST_F(ProgramFails, OnAnUnknownFormat) {
   expect_usage_error({"foo"}, {"--write", "foo"});
@@ -141,8 +153,7 @@ TEST_F(ProgramFails, OnBadEdgeLengthsOfShapes) {
 // --- exit code 3: reading -----------------------------------------------------------------------
 
 TEST_F(ProgramFails, OnAMissingFile) {
-  expect_failure(3, {"missing.stl"},
-                 {"mesh", (folder_ / "missing.stl").string(), "-o", output_});
+  expect_failure(3, {"missing.stl"}, {"mesh", (folder_ / "missing.stl").string(), "-o", output_});
 }
 
 TEST_F(ProgramFails, OnAFolderInPlaceOfAFile) {
@@ -150,7 +161,9 @@ TEST_F(ProgramFails, OnAFolderInPlaceOfAFile) {
                  {"mesh", folder_.path().string(), "-o", output_});
 }
 
-TEST_F(ProgramFails, OnAnEmptyFile) { expect_unreadable("empty.stl", "", "empty"); }
+TEST_F(ProgramFails, OnAnEmptyFile) {
+  expect_unreadable("empty.stl", "", "empty");
+}
 
 TEST_F(ProgramFails, OnATruncatedFile) {
   const std::string bytes = bytes_of(surface_);
@@ -163,19 +176,29 @@ TEST_F(ProgramFails, OnAnUnknownExtension) {
 
 // --- exit code 4: topology ----------------------------------------------------------------------
 
-TEST_F(ProgramFails, OnAClosedSurface) { expect_refused(4, "closed", closed_surface()); }
+TEST_F(ProgramFails, OnAClosedSurface) {
+  expect_refused(4, "closed", closed_surface());
+}
 
-TEST_F(ProgramFails, OnTwoComponents) { expect_refused(4, "2 ", two_tubes()); }
+TEST_F(ProgramFails, OnTwoComponents) {
+  expect_refused(4, "2 ", two_tubes());
+}
 
-TEST_F(ProgramFails, OnASingleLoop) { expect_refused(4, "loop", one_loop()); }
+TEST_F(ProgramFails, OnASingleLoop) {
+  expect_refused(4, "loop", one_loop());
+}
 
-TEST_F(ProgramFails, OnAMobiusBand) { expect_refused(4, "bius", mobius_band()); }
+TEST_F(ProgramFails, OnAMobiusBand) {
+  expect_refused(4, "bius", mobius_band());
+}
 
 TEST_F(ProgramFails, OnAnEdgeWithThreeTriangles) {
   expect_refused(4, "more than two triangles", tube_with_fin());
 }
 
-TEST_F(ProgramFails, OnAHandle) { expect_refused(4, "handle", torus_with_holes()); }
+TEST_F(ProgramFails, OnAHandle) {
+  expect_refused(4, "handle", torus_with_holes());
+}
 
 // --- exit code 5: geometry ----------------------------------------------------------------------
 
@@ -183,9 +206,13 @@ TEST_F(ProgramFails, OnCoordinatesThatAreNoNumbers) {
   expect_refused(5, "finite", not_a_number());
 }
 
-TEST_F(ProgramFails, OnSelfIntersections) { expect_refused(5, "intersect", self_intersecting()); }
+TEST_F(ProgramFails, OnSelfIntersections) {
+  expect_refused(5, "intersect", self_intersecting());
+}
 
-TEST_F(ProgramFails, OnTrianglesWithoutArea) { expect_refused(5, "area", zero_area()); }
+TEST_F(ProgramFails, OnTrianglesWithoutArea) {
+  expect_refused(5, "area", zero_area());
+}
 
 // --- exit code 6: meshing -----------------------------------------------------------------------
 

@@ -1,6 +1,8 @@
 // The quad mesh of every surface that can be meshed: topology, place and numbers, judged by code
 // that the pipeline does not use.
 
+#include "support/surfaces.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -12,7 +14,6 @@
 #include "pipeline.h"
 #include "support/distance.h"
 #include "support/mesh_verifier.h"
-#include "support/surfaces.h"
 #include "surface/generate.h"
 
 namespace hexwall::test {
@@ -142,8 +143,8 @@ void expect_reported_quality(const PipelineResult& r) {
     for (int k = 0; k < 4; ++k) {
       const Vec3 u = (p[(k + 1) % 4] - p[k]).normalized();
       const Vec3 v = (p[(k + 3) % 4] - p[k]).normalized();
-      squares += std::pow(std::acos(std::clamp(u.dot(v), -1.0, 1.0)) * 180.0 / std::numbers::pi -
-                              90.0, 2);
+      squares +=
+          std::pow(std::acos(std::clamp(u.dot(v), -1.0, 1.0)) * 180.0 / std::numbers::pi - 90.0, 2);
       least = std::min(least, u.cross(v).dot(normal.normalized()));
     }
     const double side = std::sqrt(0.5 * normal.norm()) / *r.options.size;

@@ -16,7 +16,9 @@ using std::numbers::pi;
 constexpr int around = 16;
 constexpr int along = 6;
 
-TriangleSurface tube() { return cylinder(1.0, 3.0, around, along); }
+TriangleSurface tube() {
+  return cylinder(1.0, 3.0, around, along);
+}
 
 }  // namespace
 

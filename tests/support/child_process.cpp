@@ -1,12 +1,11 @@
 #include "support/child_process.h"
 
+#include <array>
 #include <fcntl.h>
 #include <poll.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
-
-#include <array>
 
 extern char** environ;
 

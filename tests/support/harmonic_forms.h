@@ -61,8 +61,8 @@ inline Vec3 gradient(const TriangleSurface& surface, int f, double along_first,
   return (along_first * v.cross(normal) + along_second * normal.cross(u)) / normal.squaredNorm();
 }
 
-inline Vec3 gradient(const TriangleSurface& surface, const Connectivity& mesh,
-                     const OneForm& omega, int f) {
+inline Vec3 gradient(const TriangleSurface& surface, const Connectivity& mesh, const OneForm& omega,
+                     int f) {
   return gradient(surface, f, omega.along(mesh, 3 * f), omega.along(mesh, 3 * f + 1));
 }
 

@@ -200,8 +200,8 @@ double flux(const std::array<Vector3d, 4>& p) {
   double sum = 0.0;
   for (const double u : gauss) {
     for (const double v : gauss) {
-      const Vector3d at = (1 - u) * (1 - v) * p[0] + u * (1 - v) * p[1] + u * v * p[2] +
-                          (1 - u) * v * p[3];
+      const Vector3d at =
+          (1 - u) * (1 - v) * p[0] + u * (1 - v) * p[1] + u * v * p[2] + (1 - u) * v * p[3];
       const Vector3d du = (1 - v) * (p[1] - p[0]) + v * (p[2] - p[3]);
       const Vector3d dv = (1 - u) * (p[3] - p[0]) + u * (p[2] - p[1]);
       sum += at.dot(du.cross(dv)) / 12.0;
@@ -219,8 +219,7 @@ void check_jacobians(const Points& points, const Hexes& hexes, const Vector3d& o
     bool is_positive = true;
     for (int k = 0; k < 8; ++k) {
       const auto corner = cube_corner(k);
-      Eigen::Matrix3d edges = trilinear_derivatives(
-          p, Vector3d(corner[0], corner[1], corner[2]));
+      Eigen::Matrix3d edges = trilinear_derivatives(p, Vector3d(corner[0], corner[1], corner[2]));
       edges.colwise().normalize();
       least = std::min(least, edges.determinant());
       is_positive = is_positive && edges.determinant() > 0.0;  // false for a NaN

@@ -35,8 +35,8 @@ struct QuadVerdict {
   int euler_number = 0;
   int components = 0;
   int boundary_loops = 0;
-  std::vector<int> valence;         ///< #V edges at each vertex
-  std::vector<char> on_boundary;    ///< #V
+  std::vector<int> valence;       ///< #V edges at each vertex
+  std::vector<char> on_boundary;  ///< #V
 };
 
 /// Checks that quads form an oriented manifold: indices in range, four distinct corners, every edge

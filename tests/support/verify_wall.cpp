@@ -43,7 +43,8 @@ void expect_patches(const PipelineResult& r) {
     EXPECT_EQ(patches[i + 2].name, r.openings[i].name);
     EXPECT_FALSE(patches[i + 2].is_wall);
     EXPECT_EQ(std::count(r.quads.loop_of_vertex.begin(), r.quads.loop_of_vertex.end(),
-                         static_cast<int>(i)) * r.options.layers,
+                         static_cast<int>(i)) *
+                  r.options.layers,
               static_cast<long>(patches[i + 2].faces.size()));
   }
   for (const BoundaryPatch& patch : patches) {

@@ -20,6 +20,7 @@
 #include "surface/generate.h"
 #include "surface/read.h"
 #include "surface/triangle_surface.h"
+#include "surface/vessel_tree.h"
 
 namespace hexwall::test {
 
@@ -39,14 +40,29 @@ inline std::vector<double> loop_lengths(const TriangleSurface& surface, const Co
   return lengths;
 }
 
-/// The surfaces of `generate_shape`, with edge lengths that keep tests quick.
-inline const std::map<std::string, std::pair<Shape, double>>& coarse_shapes() {
-  static const std::map<std::string, std::pair<Shape, double>> shapes{
-      {"annulus", {Shape::annulus, 0.1}},
-      {"eccentric_annulus", {Shape::eccentric_annulus, 0.06}},
-      {"cylinder", {Shape::cylinder, 0.25}},
-      {"bifurcation", {Shape::bifurcation, 0.25}},
-      {"aaa", {Shape::aaa, 2.0}}};
+/// A trunk with five side branches of three sizes: seven loops.
+inline TriangleSurface branching_tree(double edge) {
+  const auto side = [](const Vec3& start, const Vec3& end, double radius) {
+    const Vec3 middle = 0.5 * (start + end);
+    return Branch{{start, middle, end}, {radius, radius, radius}, false, true, 0.5};
+  };
+  return vessel_tree({{{{0, 0, 0}, {0, 0, 5}, {0, 0, 10}}, {1.2, 1.1, 1.0}, true, true, 0.0},
+                      side({0, 0, 2.5}, {4, 0, 3.5}, 0.7),
+                      side({0, 0, 4.0}, {-4, 0.5, 5.5}, 0.8),
+                      side({0, 0, 5.5}, {0, 4, 7.5}, 0.6),
+                      side({0, 0, 6.5}, {1, -4, 7}, 0.7),
+                      side({0, 0, 7.5}, {3.5, -1, 8.5}, 0.6)},
+                     edge);
+}
+
+/// Surfaces that the program can make itself, with edge lengths that keep tests quick.
+inline const std::map<std::string, std::function<TriangleSurface()>>& coarse_shapes() {
+  static const std::map<std::string, std::function<TriangleSurface()>> shapes{
+      {"annulus", [] { return generate_shape(Shape::annulus, 0.1); }},
+      {"eccentric_annulus", [] { return generate_shape(Shape::eccentric_annulus, 0.06); }},
+      {"cylinder", [] { return generate_shape(Shape::cylinder, 0.25); }},
+      {"bifurcation", [] { return generate_shape(Shape::bifurcation, 0.25); }},
+      {"tree", [] { return branching_tree(0.3); }}};
   return shapes;
 }
 
@@ -56,9 +72,10 @@ inline std::vector<std::string> coarse_shape_names() {
   return names;
 }
 
-/// Names for `vessel_surface`: the generated shapes, and the shared files that are vessel walls.
+/// Names for `vessel_surface`: shapes, and the shared files that are vessel walls.
 inline std::vector<std::string> vessel_surface_names() {
   std::vector<std::string> names = coarse_shape_names();
+  names.emplace_back("aaa");
   for (const SharedFile& file : shared_files) {
     if (file.outcome == ExitCode::success) names.emplace_back(file.name);
   }
@@ -70,9 +87,10 @@ inline std::vector<std::string> vessel_surface_names() {
 inline const TriangleSurface* vessel_surface(const std::string& name) {
   static std::map<std::string, TriangleSurface> cache;
   if (const auto found = cache.find(name); found != cache.end()) return &found->second;
+  if (name == "aaa") return &(cache[name] = generate_shape(Shape::aaa, 2.0));
   const auto& shapes = coarse_shapes();
   if (const auto shape = shapes.find(name); shape != shapes.end()) {
-    return &(cache[name] = generate_shape(shape->second.first, shape->second.second));
+    return &(cache[name] = shape->second());
   }
   const auto folder = shared_data();
   if (!folder || !std::filesystem::exists(*folder / name)) return nullptr;

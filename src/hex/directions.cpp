@@ -1,0 +1,143 @@
+#include "hex/directions.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+
+#include "core/parallel.h"
+#include "core/tolerances.h"
+#include "hex/column.h"
+#include "quad/quality.h"
+
+namespace hexwall {
+namespace {
+
+// Columns better than this need no smoothing: above what extrusion wants (0.2) and what a face needs
+// to be split (0).
+constexpr double good_scaled_jacobian = 0.35;
+constexpr double good_face_split = 0.1;
+
+Vec3 flattened(const Vec3& direction, const LoopPlane& plane) {
+  const Vec3 flat = direction - direction.dot(plane.normal) * plane.normal;
+  // A flat surface (an annulus in the plane of its loops) has no direction within that plane.
+  return flat.norm() > 0.1 ? flat.normalized() : direction;
+}
+
+class Smoother {
+ public:
+  Smoother(const QuadMesh& quads, const std::vector<LoopPlane>& planes,
+           const SmoothDirectionsOptions& options, std::vector<Vec3>& directions)
+      : quads_(quads),
+        planes_(planes),
+        options_(options),
+        directions_(directions),
+        fractions_(layer_fractions(options.layers, options.growth)),
+        edges_(edges_of(quads)) {}
+
+  int run() {
+    std::vector<char> ever(directions_.size(), 0);
+    for (int round = 0; round < options_.rounds; ++round) {
+      const std::vector<char> marked = around_bad_columns();
+      if (std::find(marked.begin(), marked.end(), 1) == marked.end()) break;
+      average(marked);
+      for (std::size_t v = 0; v < ever.size(); ++v) ever[v] = ever[v] != 0 || marked[v] != 0;
+    }
+    return static_cast<int>(std::count(ever.begin(), ever.end(), 1));
+  }
+
+ private:
+  bool is_bad(std::size_t q) const {
+    Column column;
+    for (int k = 0; k < 4; ++k) {
+      const int v = quads_.quads[q][k];
+      column.base[k] = quads_.points[v];
+      column.direction[k] = directions_[v];
+      column.thickness[k] = options_.thickness;
+    }
+    const ColumnQuality quality = column_quality(column, fractions_);
+    // A quad that is itself poor can't give better hexes.
+    const double attainable = 0.9 * scaled_jacobian(column.base);
+    return quality.scaled_jacobian < std::min(good_scaled_jacobian, attainable) ||
+           quality.face_split < good_face_split;
+  }
+
+  // Vertices of bad columns and their neighbours.
+  std::vector<char> around_bad_columns() const {
+    std::vector<char> bad(quads_.quads.size());
+    parallel_for(bad.size(), [&](std::size_t q) { bad[q] = is_bad(q) ? 1 : 0; });
+    std::vector<char> core(directions_.size(), 0);
+    for (std::size_t q = 0; q < bad.size(); ++q) {
+      if (bad[q] == 0) continue;
+      for (const int v : quads_.quads[q]) core[v] = 1;
+    }
+    std::vector<char> marked = core;
+    for (const auto& [a, b] : edges_) {
+      if (core[a] != 0) marked[b] = 1;
+      if (core[b] != 0) marked[a] = 1;
+    }
+    return marked;
+  }
+
+  void average(const std::vector<char>& marked) {
+    std::vector<Vec3> sum = directions_;
+    for (const auto& [a, b] : edges_) {
+      sum[a] += directions_[b];
+      sum[b] += directions_[a];
+    }
+    for (std::size_t v = 0; v < directions_.size(); ++v) {
+      if (marked[v] == 0) continue;
+      const int loop = quads_.loop_of_vertex[v];
+      directions_[v] = sum[v].normalized();
+      if (loop >= 0 && planes_[loop].is_planar()) {
+        directions_[v] = flattened(directions_[v], planes_[loop]);
+      }
+    }
+  }
+
+  const QuadMesh& quads_;
+  const std::vector<LoopPlane>& planes_;
+  const SmoothDirectionsOptions& options_;
+  std::vector<Vec3>& directions_;
+  std::vector<double> fractions_;
+  std::vector<std::array<int, 2>> edges_;
+};
+
+}  // namespace
+
+bool LoopPlane::is_planar() const { return deviation <= tolerance::loop_planarity * radius; }
+
+LoopPlane fit_plane(const std::vector<Vec3>& loop) {
+  LoopPlane plane;
+  plane.center = Vec3::Zero();
+  for (const Vec3& p : loop) plane.center += p / static_cast<double>(loop.size());
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  for (const Vec3& p : loop) {
+    const Vec3 d = p - plane.center;
+    covariance += d * d.transpose();
+    plane.radius += d.norm() / static_cast<double>(loop.size());
+  }
+  plane.normal = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance).eigenvectors().col(0);
+  for (const Vec3& p : loop) {
+    plane.deviation = std::max(plane.deviation, std::abs((p - plane.center).dot(plane.normal)));
+  }
+  return plane;
+}
+
+void flatten_at_loops(const QuadMesh& quads, const std::vector<LoopPlane>& planes,
+                      std::vector<Vec3>& directions) {
+  for (std::size_t v = 0; v < directions.size(); ++v) {
+    const int loop = quads.loop_of_vertex[v];
+    if (loop >= 0 && planes[loop].is_planar()) {
+      directions[v] = flattened(directions[v], planes[loop]);
+    }
+  }
+}
+
+int smooth_directions(const QuadMesh& quads, const std::vector<LoopPlane>& planes,
+                      const SmoothDirectionsOptions& options, std::vector<Vec3>& directions) {
+  return Smoother(quads, planes, options, directions).run();
+}
+
+}  // namespace hexwall

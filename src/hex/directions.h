@@ -1,0 +1,40 @@
+#pragma once
+
+#include <vector>
+
+#include "quad/quad_mesh.h"
+
+namespace hexwall {
+
+/// A plane fitted to a loop of points: unit normal, centroid, mean radius, and the greatest
+/// distance of a point from it.
+struct LoopPlane {
+  Vec3 center;
+  Vec3 normal;
+  double radius = 0.0;
+  double deviation = 0.0;
+  bool is_planar() const;
+};
+LoopPlane fit_plane(const std::vector<Vec3>& loop);
+
+/// Turns the directions at vertices of planar loops into the plane of their loop, so that the end
+/// rings of the wall are flat. \param planes one per boundary loop.
+void flatten_at_loops(const QuadMesh& quads, const std::vector<LoopPlane>& planes,
+                      std::vector<Vec3>& directions);
+
+struct SmoothDirectionsOptions {
+  double thickness = 1.0;  ///< of the wall to come, in the mesh's length unit
+  int layers = 3;
+  double growth = 1.0;
+  int rounds = 100;
+};
+
+/// Smooths the directions of extrusion where, and only where, columns of hexes would come out bad:
+/// on creases, on noise, and where the surface curves more than the wall is thick. Each round
+/// replaces the directions around bad columns by the mean of their neighbours', so that the
+/// smoothed patches grow as long as needed. Directions at planar loops stay in their planes.
+/// \returns the number of vertices whose direction changed.
+int smooth_directions(const QuadMesh& quads, const std::vector<LoopPlane>& planes,
+                      const SmoothDirectionsOptions& options, std::vector<Vec3>& directions);
+
+}  // namespace hexwall
