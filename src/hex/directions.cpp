@@ -18,6 +18,8 @@ namespace {
 // to be split (0).
 constexpr double good_scaled_jacobian = 0.35;
 constexpr double good_face_split = 0.1;
+// Smoothing never tilts a direction so far that a thin wall would fall below this.
+constexpr double least_steepness = 0.4;
 
 Vec3 flattened(const Vec3& direction, const LoopPlane& plane) {
   const Vec3 flat = direction - direction.dot(plane.normal) * plane.normal;
@@ -34,12 +36,23 @@ class Smoother {
         options_(options),
         directions_(directions),
         fractions_(layer_fractions(options.layers, options.growth)),
-        edges_(edges_of(quads)) {}
+        edges_(edges_of(quads)),
+        bad_(quads.quads.size(), 1),
+        corner_normals_(directions.size()) {
+    for (std::size_t q = 0; q < quads.quads.size(); ++q) {
+      const auto p = corners_of(quads, static_cast<int>(q));
+      for (int k = 0; k < 4; ++k) {
+        const Vec3 u = (p[(k + 1) % 4] - p[k]).normalized();
+        corner_normals_[quads.quads[q][k]].push_back(u.cross((p[(k + 3) % 4] - p[k]).normalized()));
+      }
+    }
+  }
 
   int run() {
     std::vector<char> ever(directions_.size(), 0);
+    std::vector<char> marked(directions_.size(), 1);
     for (int round = 0; round < options_.rounds; ++round) {
-      const std::vector<char> marked = around_bad_columns();
+      marked = around_bad_columns(marked);
       if (std::find(marked.begin(), marked.end(), 1) == marked.end()) break;
       average(marked);
       for (std::size_t v = 0; v < ever.size(); ++v) ever[v] = ever[v] != 0 || marked[v] != 0;
@@ -63,13 +76,18 @@ class Smoother {
            quality.face_split < good_face_split;
   }
 
-  // Vertices of bad columns and their neighbours.
-  std::vector<char> around_bad_columns() const {
-    std::vector<char> bad(quads_.quads.size());
-    parallel_for(bad.size(), [&](std::size_t q) { bad[q] = is_bad(q) ? 1 : 0; });
+  // Vertices of bad columns and their neighbours. Only columns of `changed` vertices are looked at
+  // again.
+  std::vector<char> around_bad_columns(const std::vector<char>& changed) {
+    parallel_for(bad_.size(), [&](std::size_t q) {
+      const auto& quad = quads_.quads[q];
+      if (std::any_of(quad.begin(), quad.end(), [&](int v) { return changed[v] != 0; })) {
+        bad_[q] = is_bad(q) ? 1 : 0;
+      }
+    });
     std::vector<char> core(directions_.size(), 0);
-    for (std::size_t q = 0; q < bad.size(); ++q) {
-      if (bad[q] == 0) continue;
+    for (std::size_t q = 0; q < bad_.size(); ++q) {
+      if (bad_[q] == 0) continue;
       for (const int v : quads_.quads[q]) core[v] = 1;
     }
     std::vector<char> marked = core;
@@ -89,11 +107,18 @@ class Smoother {
     for (std::size_t v = 0; v < directions_.size(); ++v) {
       if (marked[v] == 0) continue;
       const int loop = quads_.loop_of_vertex[v];
-      directions_[v] = sum[v].normalized();
-      if (loop >= 0 && planes_[loop].is_planar()) {
-        directions_[v] = flattened(directions_[v], planes_[loop]);
-      }
+      Vec3 direction = sum[v].normalized();
+      if (loop >= 0 && planes_[loop].is_planar()) direction = flattened(direction, planes_[loop]);
+      const double before = steepness(v, directions_[v]);
+      if (steepness(v, direction) >= std::min(least_steepness, before)) directions_[v] = direction;
     }
+  }
+
+  // Least scaled Jacobian that a direction gives at the corners around a vertex, for a thin wall.
+  double steepness(std::size_t v, const Vec3& direction) const {
+    double least = 1.0;
+    for (const Vec3& normal : corner_normals_[v]) least = std::min(least, normal.dot(direction));
+    return least;
   }
 
   const QuadMesh& quads_;
@@ -102,6 +127,8 @@ class Smoother {
   std::vector<Vec3>& directions_;
   std::vector<double> fractions_;
   std::vector<std::array<int, 2>> edges_;
+  std::vector<char> bad_;                          // #Q
+  std::vector<std::vector<Vec3>> corner_normals_;  // of the quads around each vertex
 };
 
 }  // namespace
