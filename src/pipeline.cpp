@@ -64,8 +64,8 @@ void find_openings(PipelineResult& r) {
                           fit_plane(loop_points(r.surface, r.connectivity.loops()[i]))});
   }
   r.refined = make_delaunay(r.surface);
-  r.refined_connectivity = Connectivity(static_cast<int>(r.refined.surface.points.size()),
-                                        r.refined.surface.triangles);
+  r.refined_connectivity =
+      Connectivity(static_cast<int>(r.refined.surface.points.size()), r.refined.surface.triangles);
   r.refined_connectivity.reorder_loops(order);
 }
 
@@ -89,8 +89,7 @@ void find_form(PipelineResult& r) {
   const Eigen::MatrixXd g = potentials(r.basis);
   const auto face_count = static_cast<int>(r.surface.triangles.size());
   const Eigen::VectorXd rho = Eigen::VectorXd::Ones(face_count);
-  const auto energy =
-      area_energy({r.refined.surface, r.refined.parent_face, face_count, g, rho});
+  const auto energy = area_energy({r.refined.surface, r.refined.parent_face, face_count, g, rho});
   std::vector<double> lengths;
   for (const Opening& opening : r.openings) lengths.push_back(opening.length);
   r.optimum = optimal_form(*energy, lengths, r.basis.exterior);
@@ -104,8 +103,8 @@ double conformal_area(const PipelineResult& r) {
   double sum = 0.0;
   for (int e = 0; e < r.refined_connectivity.edge_count(); ++e) {
     const int h = r.refined_connectivity.halfedge(e);
-    const double dy = r.form.y[r.refined_connectivity.tip(h)] -
-                      r.form.y[r.refined_connectivity.tail(h)];
+    const double dy =
+        r.form.y[r.refined_connectivity.tip(h)] - r.form.y[r.refined_connectivity.tail(h)];
     sum += star[e] * dy * dy;
   }
   return sum;
@@ -144,7 +143,8 @@ void find_numbers(PipelineResult& r) {
 std::vector<QuadSize> target_sizes(const PipelineResult& r) {
   const double size = *r.options.size;
   const auto target = [&](double conformal) {
-    const double ratio = std::clamp(conformal / size, 1.0 / greatest_size_ratio, greatest_size_ratio);
+    const double ratio =
+        std::clamp(conformal / size, 1.0 / greatest_size_ratio, greatest_size_ratio);
     return size * std::pow(ratio, 1.0 - r.options.relax);
   };
   std::vector<QuadSize> targets;
@@ -154,8 +154,8 @@ std::vector<QuadSize> target_sizes(const PipelineResult& r) {
     for (const int v : r.conformal.mesh.quads[q]) {
       scale += 0.25 * r.scale_factor[r.conformal.face[v]];
     }
-    targets.push_back({target(r.conformal.column_width[q] / scale),
-                       target(r.conformal.row_height[q] / scale)});
+    targets.push_back(
+        {target(r.conformal.column_width[q] / scale), target(r.conformal.row_height[q] / scale)});
   }
   return targets;
 }
@@ -227,12 +227,14 @@ void collect_warnings(PipelineResult& r) {
     if (opening.plane.is_planar()) continue;
     r.warnings.push_back(fmt::format(
         "{} at ({:.6g}, {:.6g}, {:.6g}) is not planar (off by {:.3g}): its end ring is not flat",
-        opening.name, opening.plane.center.x(), opening.plane.center.y(),
-        opening.plane.center.z(), opening.plane.deviation));
+        opening.name, opening.plane.center.x(), opening.plane.center.y(), opening.plane.center.z(),
+        opening.plane.deviation));
   }
   if (r.refined.negative_edges > 0) {
-    r.warnings.push_back(fmt::format("{} edges could not be made Delaunay: the triangles are very "
-                                     "distorted; remesh the surface", r.refined.negative_edges));
+    r.warnings.push_back(
+        fmt::format("{} edges could not be made Delaunay: the triangles are very "
+                    "distorted; remesh the surface",
+                    r.refined.negative_edges));
   }
   if (r.quad_quality.off_size_area_fraction > 0.1) {
     r.warnings.push_back(fmt::format(
@@ -244,8 +246,9 @@ void collect_warnings(PipelineResult& r) {
     const Vec3& at = r.quads.points[r.wall.worst_vertex];
     r.warnings.push_back(fmt::format(
         "the wall is thinner than asked on {:.3g} % of the area, least at ({:.6g}, {:.6g}, "
-        "{:.6g}): {:.4g} instead of {:.4g}", 100.0 * r.wall.reduced_area_fraction, at.x(), at.y(),
-        at.z(), r.wall.thickness_min, *r.options.thickness));
+        "{:.6g}): {:.4g} instead of {:.4g}",
+        100.0 * r.wall.reduced_area_fraction, at.x(), at.y(), at.z(), r.wall.thickness_min,
+        *r.options.thickness));
   }
 }
 

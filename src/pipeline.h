@@ -28,7 +28,7 @@ struct PipelineOptions {
   std::optional<double> thickness;  ///< of the wall; default 10 % of the mean vessel radius
   int layers = 3;
   double growth = 1.0;
-  double relax = 0.5;               ///< 0 conformal sizes … 1 even sizes
+  double relax = 0.5;  ///< 0 conformal sizes … 1 even sizes
 };
 
 /// A boundary loop of the input, the longest one first.

@@ -1,9 +1,8 @@
 #include "report.h"
 
-#include <sys/resource.h>
-
 #include <algorithm>
 #include <numbers>
+#include <sys/resource.h>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -17,12 +16,17 @@ using Json = nlohmann::ordered_json;
 
 constexpr int report_version = 1;
 
-Json vector_json(const Vec3& p) { return Json::array({p.x(), p.y(), p.z()}); }
+Json vector_json(const Vec3& p) {
+  return Json::array({p.x(), p.y(), p.z()});
+}
 
 Json options_json(const PipelineOptions& options, const std::string& units) {
-  return {{"size", *options.size},     {"thickness", *options.thickness},
-          {"layers", options.layers},  {"growth", options.growth},
-          {"relax", options.relax},    {"poles", "off"},
+  return {{"size", *options.size},
+          {"thickness", *options.thickness},
+          {"layers", options.layers},
+          {"growth", options.growth},
+          {"relax", options.relax},
+          {"poles", "off"},
           {"units", units}};
 }
 
@@ -93,13 +97,17 @@ Json quads_json(const PipelineResult& r) {
           {"angle_stddev_deg", quality.angle_stddev_deg},
           {"min_scaled_jacobian", quality.min_scaled_jacobian},
           {"edge_length_quantiles",
-           {{"1%", quantiles[0]}, {"5%", quantiles[1]}, {"50%", quantiles[2]},
-            {"95%", quantiles[3]}, {"99%", quantiles[4]}}},
+           {{"1%", quantiles[0]},
+            {"5%", quantiles[1]},
+            {"50%", quantiles[2]},
+            {"95%", quantiles[3]},
+            {"99%", quantiles[4]}}},
           {"off_size_area_fraction", quality.off_size_area_fraction},
           {"relax_iterations", r.relaxation.iterations},
-          {"polished", {{"columns_before", r.polishing.columns_before},
-                        {"columns_after", r.polishing.columns_after},
-                        {"vertices_moved", r.polishing.moved}}}};
+          {"polished",
+           {{"columns_before", r.polishing.columns_before},
+            {"columns_after", r.polishing.columns_after},
+            {"vertices_moved", r.polishing.moved}}}};
 }
 
 Json wall_json(const PipelineResult& r) {
@@ -164,9 +172,8 @@ std::string summary(const PipelineResult& r, const std::string& units) {
   line("surface", fmt::format("{} vertices, {} triangles, {} openings", r.surface.points.size(),
                               r.surface.triangles.size(), r.openings.size()));
   line("form", fmt::format("energy {:.4f}, basis error {:.1e}, {} zeros, {} cylinders, {} strips",
-                           r.optimum.energy, r.basis.error,
-                           0.5 * r.foliation.doubled_order(), r.foliation.cylinders.size(),
-                           r.foliation.strips.count()));
+                           r.optimum.energy, r.basis.error, 0.5 * r.foliation.doubled_order(),
+                           r.foliation.cylinders.size(), r.foliation.strips.count()));
   line("quads", fmt::format("{}, {} irregular vertices, corner angles 90 +- {:.2f} deg, "
                             "min scaled Jacobian {:.3f}",
                             r.quads.quads.size(), r.quad_quality.irregular,
@@ -175,10 +182,10 @@ std::string summary(const PipelineResult& r, const std::string& units) {
                            r.wall.mesh.hexes.size(), r.options.layers, *r.options.thickness, units,
                            r.wall.min_scaled_jacobian));
   for (const Opening& opening : r.openings) {
-    line(opening.name, fmt::format("radius {:.4g} {} at ({:.4g}, {:.4g}, {:.4g})",
-                                   opening.length / (2.0 * std::numbers::pi), units,
-                                   opening.plane.center.x(), opening.plane.center.y(),
-                                   opening.plane.center.z()));
+    line(opening.name,
+         fmt::format("radius {:.4g} {} at ({:.4g}, {:.4g}, {:.4g})",
+                     opening.length / (2.0 * std::numbers::pi), units, opening.plane.center.x(),
+                     opening.plane.center.y(), opening.plane.center.z()));
   }
   for (const std::string& warning : r.warnings) line("warning", warning);
   return text;
@@ -190,6 +197,8 @@ long peak_memory_bytes() {
   return usage.ru_maxrss * 1024;  // Linux gives kibibytes
 }
 
-std::string version() { return HEXWALL_VERSION; }
+std::string version() {
+  return HEXWALL_VERSION;
+}
 
 }  // namespace hexwall

@@ -12,9 +12,9 @@ namespace hexwall {
 /// What the report needs beside the pipeline's result.
 struct ReportContext {
   std::string input_file;
-  std::string units;              ///< mm, cm, m or um
-  std::vector<std::string> notes; ///< from reading
-  std::vector<StageTime> io_times; ///< reading and writing
+  std::string units;                ///< mm, cm, m or um
+  std::vector<std::string> notes;   ///< from reading
+  std::vector<StageTime> io_times;  ///< reading and writing
 };
 
 /// The report of a run, `report.json`. README.md documents the keys. Lengths are in the unit of the

@@ -65,8 +65,10 @@ struct GenerateCommand {
 
 CLI::App* add_mesh(CLI::App& app, MeshCommand& c) {
   CLI::App* mesh = app.add_subcommand("mesh", "Mesh the wall of a vessel with hexahedra");
-  mesh->add_option("SURFACE", c.surface, "Triangle surface with open ends: STL, OBJ, PLY, OFF, "
-                                         "VTP, VTK")->required();
+  mesh->add_option("SURFACE", c.surface,
+                   "Triangle surface with open ends: STL, OBJ, PLY, OFF, "
+                   "VTP, VTK")
+      ->required();
   mesh->add_option("-o,--output", c.output, "Folder for the results")->required();
   mesh->add_option("--size", c.pipeline.size,
                    "Target quad edge length, in input units [sqrt(area / 20000)]");
@@ -77,13 +79,17 @@ CLI::App* add_mesh(CLI::App& app, MeshCommand& c) {
                    "Height ratio of successive layers, from the lumen outward")
       ->capture_default_str();
   mesh->add_option("--units", c.units, "Unit of the input")
-      ->check(CLI::IsMember({"mm", "cm", "m", "um"}))->capture_default_str();
+      ->check(CLI::IsMember({"mm", "cm", "m", "um"}))
+      ->capture_default_str();
   mesh->add_option("--relax", c.pipeline.relax, "Quad sizes: 0 conformal … 1 even")
       ->capture_default_str();
   mesh->add_option("--poles", c.poles, "Extra singularities in blind sacs")
-      ->check(CLI::IsMember({"off"}))->capture_default_str();
+      ->check(CLI::IsMember({"off"}))
+      ->capture_default_str();
   mesh->add_option("--write", c.write, "Hex mesh formats, separated by commas")
-      ->delimiter(',')->check(CLI::IsMember({"vtu", "openfoam"}))->capture_default_str();
+      ->delimiter(',')
+      ->check(CLI::IsMember({"vtu", "openfoam"}))
+      ->capture_default_str();
   mesh->add_flag("--write-basis", c.write_basis,
                  "Also write basis.vtp: every basis form as texture coordinates");
   mesh->add_option("--threads", c.threads, "Threads; results do not depend on it [all cores]")
@@ -95,8 +101,8 @@ CLI::App* add_mesh(CLI::App& app, MeshCommand& c) {
 
 CLI::App* add_generate(CLI::App& app, GenerateCommand& c) {
   CLI::App* generate = app.add_subcommand("generate", "Make a surface to try hexwall on");
-  generate->add_option("SHAPE", c.shape,
-                       "annulus, eccentric-annulus, cylinder, bifurcation or aaa")->required();
+  generate->add_option("SHAPE", c.shape, "annulus, eccentric-annulus, cylinder, bifurcation or aaa")
+      ->required();
   generate->add_option("-o,--output", c.output, "File: .stl, .obj, .ply, .off, .vtp or .vtk")
       ->required();
   generate->add_option("--edge", c.edge, "Edge length of the triangles [by shape]");
@@ -138,13 +144,10 @@ void run_mesh(const MeshCommand& c, spdlog::logger& log) {
   context.io_times.push_back({"read", timed([&] { read = read_surface(c.surface); })});
   context.notes = read.notes;
   const PipelineResult result = run_pipeline(
-      read.surface, c.pipeline, [&](const std::string& stage, int index, int count) {
-        progress.show(stage, index, count);
-      });
-  context.io_times.push_back(
-      {"write", timed([&] { write_results(c, result, folder.staging()); })});
-  write_output_file(folder.staging() / "report.json",
-                    make_report(result, context).dump(2) + "\n");
+      read.surface, c.pipeline,
+      [&](const std::string& stage, int index, int count) { progress.show(stage, index, count); });
+  context.io_times.push_back({"write", timed([&] { write_results(c, result, folder.staging()); })});
+  write_output_file(folder.staging() / "report.json", make_report(result, context).dump(2) + "\n");
   folder.commit();
   progress.finish();
   for (const std::string& note : context.notes) log.info("  {:<10} {}", "note", note);
@@ -170,8 +173,9 @@ int run(int argc, char** argv) {
   CLI::App app{"hexwall: hexahedral wall meshes of blood vessels"};
   app.set_version_flag("--version", "hexwall " + version());
   app.require_subcommand(1);
-  app.footer("Exit codes: 0 success, 1 internal error, 2 command line, 3 unreadable input,\n"
-             "4 topology of the surface, 5 geometry of the surface, 6 no valid mesh, 7 output.");
+  app.footer(
+      "Exit codes: 0 success, 1 internal error, 2 command line, 3 unreadable input,\n"
+      "4 topology of the surface, 5 geometry of the surface, 6 no valid mesh, 7 output.");
   MeshCommand mesh;
   GenerateCommand generate;
   const CLI::App* mesh_app = add_mesh(app, mesh);
@@ -205,4 +209,6 @@ int run(int argc, char** argv) {
 }  // namespace
 }  // namespace hexwall
 
-int main(int argc, char** argv) { return hexwall::run(argc, argv); }
+int main(int argc, char** argv) {
+  return hexwall::run(argc, argv);
+}

@@ -1,8 +1,7 @@
 #include "progress_display.h"
 
-#include <unistd.h>
-
 #include <cstdio>
+#include <unistd.h>
 
 #include <fmt/format.h>
 

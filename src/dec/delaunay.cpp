@@ -117,8 +117,8 @@ class Refiner {
     points_.push_back((1.0 - t) * points_[tail(h)] + t * points_[tail(next(h))]);
     loop_.push_back(-1);
     ++splits_;
-    const int second = split_one_side(h, p);         // p -> b
-    const int other = split_one_side(opposite, p);   // p -> a
+    const int second = split_one_side(h, p);        // p -> b
+    const int other = split_one_side(opposite, p);  // p -> a
     link(h, other);
     link(opposite, second);
     for (const int f : {h / 3, second / 3, opposite / 3, other / 3}) push_face(f);
@@ -177,6 +177,8 @@ class Refiner {
 
 }  // namespace
 
-DelaunaySurface make_delaunay(const TriangleSurface& surface) { return Refiner(surface).run(); }
+DelaunaySurface make_delaunay(const TriangleSurface& surface) {
+  return Refiner(surface).run();
+}
 
 }  // namespace hexwall

@@ -34,8 +34,8 @@ struct Sector {
 struct Junction {
   int vertex = -1;
   int component = -1;
-  std::vector<int> spokes;         ///< outgoing half-edges to neighbours of other rank
-  std::vector<int> spoke_sector;   ///< sector of each spoke
+  std::vector<int> spokes;        ///< outgoing half-edges to neighbours of other rank
+  std::vector<int> spoke_sector;  ///< sector of each spoke
 
   int sector_of(int spoke) const;  ///< sector that holds an outgoing half-edge
 };
@@ -71,9 +71,9 @@ struct CriticalGraph {
   std::vector<Junction> junctions;
   std::vector<Sector> sectors;
   std::vector<Arc> arcs;
-  std::vector<EdgeCrossing> crossings;      ///< sorted by edge, then rank
-  std::vector<int> junction_of_vertex;      ///< #V, -1 for ordinary vertices
-  std::vector<GraphPosition> loop_position; ///< #V position of ordinary loop vertices
+  std::vector<EdgeCrossing> crossings;       ///< sorted by edge, then rank
+  std::vector<int> junction_of_vertex;       ///< #V, -1 for ordinary vertices
+  std::vector<GraphPosition> loop_position;  ///< #V position of ordinary loop vertices
 
   /// Crossings of one edge, by rising rank: [first, last) in `crossings`.
   std::pair<std::size_t, std::size_t> crossings_of(int edge) const;

@@ -69,8 +69,8 @@ class CylinderFinder {
       cylinders.push_back(std::move(cylinder));
     }
     if (bottoms.size() != tops.size()) {
-      throw Error(ExitCode::internal, fmt::format("{} lower circles, but {} upper ones",
-                                                  bottoms.size(), tops.size()));
+      throw Error(ExitCode::internal,
+                  fmt::format("{} lower circles, but {} upper ones", bottoms.size(), tops.size()));
     }
     return cylinders;
   }

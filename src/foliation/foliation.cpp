@@ -10,7 +10,9 @@ int Foliation::doubled_order() const {
   return sum;
 }
 
-int Foliation::interior_zeros() const { return (doubled_order() - boundary_half_zeros()) / 2; }
+int Foliation::interior_zeros() const {
+  return (doubled_order() - boundary_half_zeros()) / 2;
+}
 
 int Foliation::boundary_half_zeros() const {
   int sum = 0;

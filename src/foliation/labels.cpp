@@ -139,8 +139,7 @@ class Labeller {
 
 SurfaceLabels label_surface(const Connectivity& mesh, const HolomorphicForm& form,
                             const Foliation& foliation, const std::vector<int>& across,
-                            const std::vector<int>& along,
-                            const std::vector<RowSpacing>& spacing) {
+                            const std::vector<int>& along, const std::vector<RowSpacing>& spacing) {
   return Labeller(mesh, form, foliation, across, along, spacing).run();
 }
 

@@ -18,9 +18,9 @@ struct EdgePoint {
 /// A piece of a level set y = const: a polyline with one segment per triangle, running towards +x.
 struct LevelCurve {
   std::vector<EdgePoint> points;
-  std::vector<int> faces;   ///< one per segment
-  std::vector<double> x;    ///< one per point, never falling
-  bool corrected = false;   ///< x of the form was not monotone here and was made so
+  std::vector<int> faces;  ///< one per segment
+  std::vector<double> x;   ///< one per point, never falling
+  bool corrected = false;  ///< x of the form was not monotone here and was made so
 
   double start() const { return x.front(); }
   double length() const { return x.back() - x.front(); }

@@ -59,7 +59,8 @@ std::vector<Zero> find_zeros(const Connectivity& mesh, const std::vector<int>& r
     if (loop < 0 && changes == 0) {
       throw MeshingError(fmt::format(
           "the harmonic function has an extremum at interior vertex {}: the surface has a blind "
-          "region too deep for double precision, or triangles too distorted; remesh it", v));
+          "region too deep for double precision, or triangles too distorted; remesh it",
+          v));
     }
     const int doubled_order = loop < 0 ? changes - 2 : changes;
     if (doubled_order > 0) zeros.push_back({v, loop, doubled_order});
@@ -69,7 +70,8 @@ std::vector<Zero> find_zeros(const Connectivity& mesh, const std::vector<int>& r
   if (doubled_total != expected) {
     throw MeshingError(fmt::format(
         "the zeros of the form have total order {}, expected {}: the surface is not a sphere with "
-        "{} holes", 0.5 * doubled_total, expected / 2, mesh.loops().size()));
+        "{} holes",
+        0.5 * doubled_total, expected / 2, mesh.loops().size()));
   }
   return zeros;
 }

@@ -28,8 +28,9 @@ double mean_stretch(const TriangleSurface& surface, const Connectivity& mesh,
   double sum = 0.0;
   double total = 0.0;
   for (std::size_t i = 0; i < curve.faces.size(); ++i) {
-    const double length = (position(surface, mesh, curve.points[i + 1]) -
-                           position(surface, mesh, curve.points[i])).norm();
+    const double length =
+        (position(surface, mesh, curve.points[i + 1]) - position(surface, mesh, curve.points[i]))
+            .norm();
     const double scale = scale_factor[curve.faces[i]];
     sum += length * std::pow(scale, 1.0 - stretch_power);
     total += length * scale;
@@ -39,9 +40,13 @@ double mean_stretch(const TriangleSurface& surface, const Connectivity& mesh,
 
 }  // namespace
 
-double RowSpacing::rows_below(double y_value) const { return interpolate(y, rows, y_value); }
+double RowSpacing::rows_below(double y_value) const {
+  return interpolate(y, rows, y_value);
+}
 
-double RowSpacing::y_of(double row) const { return interpolate(rows, y, row); }
+double RowSpacing::y_of(double row) const {
+  return interpolate(rows, y, row);
+}
 
 std::vector<RowSpacing> space_rows(const TriangleSurface& surface, const Connectivity& mesh,
                                    const HolomorphicForm& form,
@@ -55,8 +60,8 @@ std::vector<RowSpacing> space_rows(const TriangleSurface& surface, const Connect
     spacing.y = {cylinder.y_bottom};
     spacing.rows = {0.0};
     const double conformal_rows = cylinder.height() / options.size_in_plane;
-    const int samples = std::clamp(static_cast<int>(2.0 * conformal_rows), fewest_samples,
-                                   most_samples);
+    const int samples =
+        std::clamp(static_cast<int>(2.0 * conformal_rows), fewest_samples, most_samples);
     for (int i = 0; i < samples; ++i) {
       const double y = cylinder.y_bottom + cylinder.height() * (i + 0.5) / samples;
       double density = 1.0;

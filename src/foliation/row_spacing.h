@@ -18,16 +18,16 @@ struct RowSpacing {
 };
 
 struct RowSpacingOptions {
-  double size = 1.0;          ///< target edge length in space
-  double size_in_plane = 1.0; ///< the same in the (x, y) plane
-  double evenness = 0.5;      ///< 0: rows of equal height in y, squares under the conformal map;
-                              ///< 1: rows of height `size` in space, on the mean of each level curve
+  double size = 1.0;           ///< target edge length in space
+  double size_in_plane = 1.0;  ///< the same in the (x, y) plane
+  double evenness = 0.5;       ///< 0: rows of equal height in y, squares under the conformal map;
+                          ///< 1: rows of height `size` in space, on the mean of each level curve
 };
 
-/// Spreads rows so that they stay even along vessels where the conformal scale varies. The conformal
-/// map's stretch on a level curve is s, the root mean square of 1 / |grad y| in x; rows are denser by
-/// (s * size_in_plane / size)^evenness than conformal ones. Grid lines stay what they are:
-/// level curves and vertical trajectories, at right angles to each other.
+/// Spreads rows so that they stay even along vessels where the conformal scale varies. The
+/// conformal map's stretch on a level curve is s, the root mean square of 1 / |grad y| in x; rows
+/// are denser by (s * size_in_plane / size)^evenness than conformal ones. Grid lines stay what they
+/// are: level curves and vertical trajectories, at right angles to each other.
 std::vector<RowSpacing> space_rows(const TriangleSurface& surface, const Connectivity& mesh,
                                    const HolomorphicForm& form,
                                    const std::vector<double>& scale_factor,

@@ -162,8 +162,8 @@ class StripFinder {
   }
 
   static std::vector<Stop>::const_iterator find_line(const std::vector<Stop>& list, int line) {
-    const auto found = std::find_if(list.begin(), list.end(),
-                                    [&](const Stop& s) { return s.line == line; });
+    const auto found =
+        std::find_if(list.begin(), list.end(), [&](const Stop& s) { return s.line == line; });
     if (found == list.end()) throw Error(ExitCode::internal, "a critical trajectory was lost");
     return found;
   }

@@ -32,10 +32,10 @@ struct LineInCylinder {
 /// paper's rectangular patches.
 struct Strips {
   std::vector<VerticalLine> lines;
-  std::vector<std::vector<LineOnArc>> arc_lines;          ///< per arc, by rising offset
-  std::vector<std::vector<int>> arc_strips;               ///< per arc: the strips that cross it
-  std::vector<std::vector<LineInCylinder>> in_cylinder;   ///< per cylinder, by rising x
-  std::vector<double> width;                              ///< per strip, in x
+  std::vector<std::vector<LineOnArc>> arc_lines;         ///< per arc, by rising offset
+  std::vector<std::vector<int>> arc_strips;              ///< per arc: the strips that cross it
+  std::vector<std::vector<LineInCylinder>> in_cylinder;  ///< per cylinder, by rising x
+  std::vector<double> width;                             ///< per strip, in x
 
   int count() const { return static_cast<int>(width.size()); }
 };

@@ -19,7 +19,9 @@ Face level_face(const Column& column, double fraction) {
   return face;
 }
 
-Vec3 center(const Face& face) { return 0.25 * (face[0] + face[1] + face[2] + face[3]); }
+Vec3 center(const Face& face) {
+  return 0.25 * (face[0] + face[1] + face[2] + face[3]);
+}
 
 // Least height of `above` over, and of `below` under, the two triangles on either side of the
 // diagonal from corner k.
@@ -49,8 +51,8 @@ ColumnQuality column_quality(const Column& column, const std::vector<double>& fr
       quality.face_split = std::min(quality.face_split, split / (0.5 * height));
     }
     quality.scaled_jacobian = std::min(
-        quality.scaled_jacobian, scaled_jacobian({low[0], low[1], low[2], low[3], high[0], high[1],
-                                                  high[2], high[3]}));
+        quality.scaled_jacobian,
+        scaled_jacobian({low[0], low[1], low[2], low[3], high[0], high[1], high[2], high[3]}));
     center_below = center_above;
     low = high;
   }

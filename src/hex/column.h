@@ -9,8 +9,8 @@ namespace hexwall {
 
 /// A quad of the surface with what is extruded from it: a column of hexes.
 struct Column {
-  std::array<Vec3, 4> base;        ///< corners, counter-clockwise seen from outside
-  std::array<Vec3, 4> direction;   ///< unit vectors
+  std::array<Vec3, 4> base;       ///< corners, counter-clockwise seen from outside
+  std::array<Vec3, 4> direction;  ///< unit vectors
   std::array<double, 4> thickness;
 };
 

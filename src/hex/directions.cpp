@@ -14,8 +14,8 @@
 namespace hexwall {
 namespace {
 
-// Columns better than this need no smoothing: above what extrusion wants (0.2) and what a face needs
-// to be split (0).
+// Columns better than this need no smoothing: above what extrusion wants (0.2) and what a face
+// needs to be split (0).
 constexpr double good_scaled_jacobian = 0.35;
 constexpr double good_face_split = 0.1;
 // Smoothing never tilts a direction so far that a thin wall would fall below this.
@@ -133,7 +133,9 @@ class Smoother {
 
 }  // namespace
 
-bool LoopPlane::is_planar() const { return deviation <= tolerance::loop_planarity * radius; }
+bool LoopPlane::is_planar() const {
+  return deviation <= tolerance::loop_planarity * radius;
+}
 
 LoopPlane fit_plane(const std::vector<Vec3>& loop) {
   LoopPlane plane;

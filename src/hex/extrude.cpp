@@ -63,7 +63,8 @@ class Thickness {
     const Vec3& at = quads_.points[quads_.quads[worst - bound_.begin()][0]];
     throw MeshingError(fmt::format(
         "no wall can be extruded at ({:.6g}, {:.6g}, {:.6g}): the surface is folded there. Smooth "
-        "or remesh it, or choose a smaller --size", at.x(), at.y(), at.z()));
+        "or remesh it, or choose a smaller --size",
+        at.x(), at.y(), at.z()));
   }
 
   Column column(int q) const {
@@ -90,7 +91,8 @@ class Thickness {
       const Vec3& at = quads_.points[v];
       throw MeshingError(fmt::format(
           "no wall of positive thickness fits at ({:.6g}, {:.6g}, {:.6g}). Smooth or remesh the "
-          "surface there, or choose a smaller --size", at.x(), at.y(), at.z()));
+          "surface there, or choose a smaller --size",
+          at.x(), at.y(), at.z()));
     }
   }
 
@@ -239,9 +241,9 @@ ExtrudeResult extrude(const QuadMesh& quads, std::vector<Vec3> directions,
                       const std::vector<std::string>& loop_names, const ExtrudeOptions& options) {
   ExtrudeResult result;
   result.thickness = Thickness(quads, directions, options).run();
-  result.mesh = HexBuilder(quads, loop_names, options.layers)
-                    .run(layer_fractions(options.layers, options.growth), result.thickness,
-                         directions);
+  result.mesh =
+      HexBuilder(quads, loop_names, options.layers)
+          .run(layer_fractions(options.layers, options.growth), result.thickness, directions);
   result.scaled_jacobian = scaled_jacobians(result.mesh);
   result.min_scaled_jacobian =
       *std::min_element(result.scaled_jacobian.begin(), result.scaled_jacobian.end());

@@ -18,22 +18,22 @@ struct ExtrudeOptions {
 
 struct ExtrudeResult {
   HexMesh mesh;
-  std::vector<double> thickness;       ///< #V of the quad mesh: thickness given
-  std::vector<double> scaled_jacobian; ///< #H
+  std::vector<double> thickness;        ///< #V of the quad mesh: thickness given
+  std::vector<double> scaled_jacobian;  ///< #H
   double min_scaled_jacobian = 0.0;
   double thickness_min = 0.0;
-  double reduced_area_fraction = 0.0;  ///< share of the surface with less than 99 % of the thickness
-  int worst_vertex = -1;               ///< quad vertex of least thickness
+  double reduced_area_fraction =
+      0.0;                ///< share of the surface with less than 99 % of the thickness
+  int worst_vertex = -1;  ///< quad vertex of least thickness
 };
 
 /// Extrudes a quad mesh outward along `directions` into layers of hexahedra.
 ///
-/// Where a hex would have a corner of scaled Jacobian below what is wanted, the thickness is reduced
-/// there, smoothly, until all corners are fine: no layer is ever dropped. A quad that is itself
-/// worse than wanted keeps half of its own scaled Jacobian as the bound.
-/// Patches: inner_wall, outer_wall, and one per boundary loop; zones layer_1 (at the lumen) … N.
-/// \param directions #V unit vectors, away from the lumen.
-/// \param loop_names one per boundary loop.
+/// Where a hex would have a corner of scaled Jacobian below what is wanted, the thickness is
+/// reduced there, smoothly, until all corners are fine: no layer is ever dropped. A quad that is
+/// itself worse than wanted keeps half of its own scaled Jacobian as the bound. Patches:
+/// inner_wall, outer_wall, and one per boundary loop; zones layer_1 (at the lumen) … N. \param
+/// directions #V unit vectors, away from the lumen. \param loop_names one per boundary loop.
 /// \throws MeshingError if no positive thickness gives positive Jacobians.
 ExtrudeResult extrude(const QuadMesh& quads, std::vector<Vec3> directions,
                       const std::vector<std::string>& loop_names, const ExtrudeOptions& options);

@@ -31,10 +31,10 @@ struct CellZone {
 struct HexMesh {
   std::vector<Vec3> points;
   std::vector<std::array<int, 8>> hexes;
-  std::vector<int> layer;             ///< #H layer, 0 at the lumen
-  std::vector<int> quad;              ///< #H index of the quad it was extruded from
-  std::vector<BoundaryPatch> patches; ///< partition of all boundary faces
-  std::vector<CellZone> zones;        ///< partition of all hexes
+  std::vector<int> layer;              ///< #H layer, 0 at the lumen
+  std::vector<int> quad;               ///< #H index of the quad it was extruded from
+  std::vector<BoundaryPatch> patches;  ///< partition of all boundary faces
+  std::vector<CellZone> zones;         ///< partition of all hexes
 };
 
 }  // namespace hexwall

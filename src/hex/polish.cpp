@@ -24,7 +24,9 @@ constexpr double first_tilt = 0.3;
 constexpr double smallest_step = 0.02;
 constexpr int step_directions = 8;
 
-double square(double x) { return x * x; }
+double square(double x) {
+  return x * x;
+}
 
 class Polisher {
  public:

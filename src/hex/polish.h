@@ -17,7 +17,7 @@ struct PolishOptions {
 struct PolishResult {
   int columns_before = 0;  ///< columns of hexes short of the goals before and after
   int columns_after = 0;
-  int moved = 0;           ///< vertices moved or turned
+  int moved = 0;  ///< vertices moved or turned
 };
 
 /// Improves the few columns of hexes that would come out bad, near zeros on strongly curved

@@ -74,8 +74,8 @@ void solve_periodic_forms(const Connectivity& mesh, const Eigen::VectorXd& star1
   std::vector<bool> fixed(mesh.vertex_count(), false);
   fixed[mesh.loops()[basis.exterior].front()] = true;
   const LaplaceSolver solver(mesh, star1, std::move(fixed));
-  const Eigen::MatrixXd h =
-      solver.solve(divergence(mesh, star1, eta), Eigen::MatrixXd::Zero(mesh.vertex_count(), eta.cols()));
+  const Eigen::MatrixXd h = solver.solve(divergence(mesh, star1, eta),
+                                         Eigen::MatrixXd::Zero(mesh.vertex_count(), eta.cols()));
   basis.factor_nonzeros += solver.factor_nonzeros();
   basis.omega = eta + differential(mesh, h);
   basis.gram = basis.omega.transpose() * star1.asDiagonal() * basis.omega;

@@ -36,7 +36,9 @@ Eigen::VectorXd parent_areas(const AreaEnergyInput& input) {
   return areas;
 }
 
-int monomial_count(int n) { return n * (n + 1) / 2; }
+int monomial_count(int n) {
+  return n * (n + 1) / 2;
+}
 
 // Calls visit(k, i, j) for the k-th monomial lambda_i lambda_j, i <= j.
 template <class Visit>

@@ -34,8 +34,9 @@ Eigen::VectorXd trust_region_step(const Eigen::VectorXd& gradient, const Eigen::
   return eigen.eigenvectors() * step(low);
 }
 
-double exterior_period(const Eigen::VectorXd& lambda) { return -lambda.sum(); }
-
+double exterior_period(const Eigen::VectorXd& lambda) {
+  return -lambda.sum();
+}
 
 // Periods proportional to the loops' lengths on either side, balanced to sum to zero.
 Eigen::VectorXd balanced_start(const std::vector<int>& signs, const std::vector<double>& lengths,

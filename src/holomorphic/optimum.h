@@ -18,17 +18,17 @@ struct OptimumOptions {
 
 /// One descent: from a sign pattern to a local minimum.
 struct Descent {
-  std::vector<int> signs;         ///< n+1, the sign of each loop's circumference
-  double energy = 0.0;            ///< normalised energy at the end
-  std::vector<double> iterations; ///< energy after each iteration, never rising
-  Eigen::VectorXd lambda;         ///< n circumferences at the end
+  std::vector<int> signs;          ///< n+1, the sign of each loop's circumference
+  double energy = 0.0;             ///< normalised energy at the end
+  std::vector<double> iterations;  ///< energy after each iteration, never rising
+  Eigen::VectorXd lambda;          ///< n circumferences at the end
 };
 
 struct OptimumResult {
-  Eigen::VectorXd lambda;        ///< n circumferences (signed periods), in the input's length unit
-  double energy = 0.0;           ///< normalised
-  std::vector<Descent> descents; ///< one per start, in order of the starts
-  int best = 0;                  ///< index of the winner in `descents`
+  Eigen::VectorXd lambda;         ///< n circumferences (signed periods), in the input's length unit
+  double energy = 0.0;            ///< normalised
+  std::vector<Descent> descents;  ///< one per start, in order of the starts
+  int best = 0;                   ///< index of the winner in `descents`
 };
 
 /// The form of least energy, by trust-region Newton descents from |lambda_i| = length of loop i

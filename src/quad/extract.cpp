@@ -66,8 +66,7 @@ class Extractor {
       breaks.insert(breaks.begin(), 0.0);
       breaks.push_back(arc.curve.length());
     }
-    const int loop =
-        arc.has_upper && arc.has_lower ? -1 : graph_.components[arc.component].loop;
+    const int loop = arc.has_upper && arc.has_lower ? -1 : graph_.components[arc.component].loop;
     std::vector<int> vertices;
     for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
       const int count = numbers_.across[strips_.arc_strips[a][i]];

@@ -44,7 +44,9 @@ std::array<double, 5> edge_quantiles(const QuadMesh& mesh, double target) {
 
 }  // namespace
 
-Vec3 doubled_area_vector(const std::array<Vec3, 4>& p) { return (p[2] - p[0]).cross(p[3] - p[1]); }
+Vec3 doubled_area_vector(const std::array<Vec3, 4>& p) {
+  return (p[2] - p[0]).cross(p[3] - p[1]);
+}
 
 double scaled_jacobian(const std::array<Vec3, 4>& p) {
   const Vec3 normal = doubled_area_vector(p).normalized();

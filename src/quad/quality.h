@@ -18,12 +18,12 @@ std::array<Vec3, 4> corners_of(const QuadMesh& mesh, int quad);
 Vec3 doubled_area_vector(const std::array<Vec3, 4>& corners);
 
 struct QuadQuality {
-  int irregular = 0;                   ///< interior vertices of valence other than 4
-  double angle_stddev_deg = 0.0;       ///< root mean square of corner angle - 90 degrees
+  int irregular = 0;              ///< interior vertices of valence other than 4
+  double angle_stddev_deg = 0.0;  ///< root mean square of corner angle - 90 degrees
   double min_scaled_jacobian = 0.0;
-  std::vector<double> scaled_jacobian; ///< #Q
+  std::vector<double> scaled_jacobian;            ///< #Q
   std::array<double, 5> edge_length_quantiles{};  ///< 1, 5, 50, 95, 99 %, relative to the target
-  double off_size_area_fraction = 0.0; ///< share of the area in quads more than 2x off in length
+  double off_size_area_fraction = 0.0;  ///< share of the area in quads more than 2x off in length
 };
 
 /// \param target edge length wanted, in the mesh's length unit.

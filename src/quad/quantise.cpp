@@ -81,8 +81,8 @@ class StripRounding {
   struct Step {
     int strip = -1;
     int change = 0;
-    int partner = -1;   // changes the other way
-    double gain = 1e-9; // least gain worth a step: keeps rounding noise from cycling
+    int partner = -1;    // changes the other way
+    double gain = 1e-9;  // least gain worth a step: keeps rounding noise from cycling
   };
 
   void apply(const Step& step, int sign) {

@@ -8,8 +8,8 @@
 namespace hexwall {
 
 struct QuantiseOptions {
-  double size = 1.0;       ///< target edge length in the (x, y) plane
-  int fewest_around = 8;   ///< quads around any cylinder
+  double size = 1.0;      ///< target edge length in the (x, y) plane
+  int fewest_around = 8;  ///< quads around any cylinder
 };
 
 /// Integers for strips and cylinders. Any positive choice gives a conforming all-quad mesh.

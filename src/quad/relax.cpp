@@ -98,8 +98,8 @@ class Relaxer {
 
   void step() {
     parallel_for(mesh_.quads.size(), [&](std::size_t q) {
-      targets_[q] = fitted_rectangle(corners_of(mesh_, static_cast<int>(q)), size_[q],
-                                     options_.size_weight);
+      targets_[q] =
+          fitted_rectangle(corners_of(mesh_, static_cast<int>(q)), size_[q], options_.size_weight);
     });
     moved_ = mesh_;
     moved_face_ = face_;

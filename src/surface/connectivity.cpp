@@ -31,18 +31,21 @@ void Connectivity::match_halfedges() {
   twin_.assign(halfedge_count(), -1);
   for (std::size_t i = 0; i < keys.size();) {
     std::size_t end = i + 1;
-    while (end < keys.size() && keys[end].low == keys[i].low && keys[end].high == keys[i].high) ++end;
+    while (end < keys.size() && keys[end].low == keys[i].low && keys[end].high == keys[i].high)
+      ++end;
     if (end - i > 2) {
-      throw TopologyError(fmt::format("edge ({}, {}) belongs to {} triangles: at most 2 are possible",
-                                      keys[i].low, keys[i].high, end - i));
+      throw TopologyError(
+          fmt::format("edge ({}, {}) belongs to {} triangles: at most 2 are possible", keys[i].low,
+                      keys[i].high, end - i));
     }
     if (end - i == 2) {
       const int g = keys[i].halfedge;
       const int h = keys[i + 1].halfedge;
       if (tail(g) == tail(h)) {
-        throw TopologyError(fmt::format("triangles {} and {} disagree in their orientation at edge "
-                                        "({}, {})",
-                                        face(g), face(h), keys[i].low, keys[i].high));
+        throw TopologyError(
+            fmt::format("triangles {} and {} disagree in their orientation at edge "
+                        "({}, {})",
+                        face(g), face(h), keys[i].low, keys[i].high));
       }
       twin_[g] = h;
       twin_[h] = g;
@@ -80,8 +83,8 @@ void Connectivity::find_fans() {
     }
     if (visited != degree[v]) {
       throw TopologyError(fmt::format(
-          "vertex {} joins several fans of triangles ({} of {} triangles are connected)", v, visited,
-          degree[v]));
+          "vertex {} joins several fans of triangles ({} of {} triangles are connected)", v,
+          visited, degree[v]));
     }
   }
 }

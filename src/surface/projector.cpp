@@ -88,8 +88,8 @@ SurfacePoint SurfaceProjector::project(const Vec3& p, int start_face) const {
 
 SurfacePoint SurfaceProjector::nearest_on_face(const Vec3& p, int f) const {
   const auto& [a, b, c] = surface_.triangles[f];
-  return {f, nearest_point_of_triangle(p, surface_.points[a], surface_.points[b],
-                                       surface_.points[c])};
+  return {f,
+          nearest_point_of_triangle(p, surface_.points[a], surface_.points[b], surface_.points[c])};
 }
 
 bool SurfaceProjector::is_inside(const SurfacePoint& point) const {

@@ -36,7 +36,7 @@ class SurfaceProjector {
   bool is_inside(const SurfacePoint& point) const;
 
   const TriangleSurface& surface_;
-  std::vector<int> first_;    // #V + 1: triangles of vertex v are faces_[first_[v]..first_[v + 1]]
+  std::vector<int> first_;  // #V + 1: triangles of vertex v are faces_[first_[v]..first_[v + 1]]
   std::vector<int> faces_;
 };
 
