@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 
 #include "core/errors.h"
-#include "core/tolerances.h"
 #include "dec/operators.h"
 #include "holomorphic/energy.h"
 #include "surface/check.h"
@@ -46,27 +45,33 @@ std::vector<Vec3> loop_points(const TriangleSurface& surface, const std::vector<
 }
 
 // Connectivity with the longest loop first, so that names do not depend on the file's order.
-void find_openings(PipelineResult& r) {
+// Returns the former numbers of the loops.
+std::vector<int> find_openings(PipelineResult& r) {
   r.connectivity = Connectivity(static_cast<int>(r.surface.points.size()), r.surface.triangles);
   const auto& loops = r.connectivity.loops();
   std::vector<double> lengths;
+  lengths.reserve(loops.size());
   for (const auto& loop : loops) {
     lengths.push_back(LoopCurve(loop_points(r.surface, loop)).length());
   }
   std::vector<int> order(loops.size());
   std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
-    return lengths[a] > lengths[b] * (1.0 + tolerance::loop_length);
-  });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](int a, int b) { return lengths[a] > lengths[b]; });
   r.connectivity.reorder_loops(order);
   for (std::size_t i = 0; i < order.size(); ++i) {
     r.openings.push_back({fmt::format("loop_{}", i), lengths[order[i]],
                           fit_plane(loop_points(r.surface, r.connectivity.loops()[i]))});
   }
+  return order;
+}
+
+// The refinement keeps loops and vertex numbers, so that its loops come in the same order.
+void refine(PipelineResult& r, const std::vector<int>& loop_order) {
   r.refined = make_delaunay(r.surface);
   r.refined_connectivity =
       Connectivity(static_cast<int>(r.refined.surface.points.size()), r.refined.surface.triangles);
-  r.refined_connectivity.reorder_loops(order);
+  r.refined_connectivity.reorder_loops(loop_order);
 }
 
 // |grad y| on each triangle of the refined surface.
@@ -99,15 +104,11 @@ void find_form(PipelineResult& r) {
 
 // Area of the image of the surface under (x, y): the Dirichlet energy of y.
 double conformal_area(const PipelineResult& r) {
-  const Eigen::VectorXd star = star1(r.refined.surface, r.refined_connectivity);
-  double sum = 0.0;
-  for (int e = 0; e < r.refined_connectivity.edge_count(); ++e) {
-    const int h = r.refined_connectivity.halfedge(e);
-    const double dy =
-        r.form.y[r.refined_connectivity.tip(h)] - r.form.y[r.refined_connectivity.tail(h)];
-    sum += star[e] * dy * dy;
+  Eigen::VectorXd loop_values(r.basis.size());
+  for (int i = 0; i < r.basis.size(); ++i) {
+    loop_values[i] = r.form.y[r.refined_connectivity.loops()[r.basis.loop(i)].front()];
   }
-  return sum;
+  return loop_values.dot(r.basis.capacity * loop_values);
 }
 
 // Number of quads before rounding, if each cylinder is as dense around as along.
@@ -219,7 +220,7 @@ void extrude_wall(PipelineResult& r, std::vector<SurfacePoint> places) {
   options.thickness = *r.options.thickness;
   options.layers = r.options.layers;
   options.growth = r.options.growth;
-  r.wall = extrude(r.quads, std::move(directions), names, options);
+  r.wall = extrude(r.quads, directions, names, options);
 }
 
 void collect_warnings(PipelineResult& r) {
@@ -265,7 +266,7 @@ PipelineResult run_pipeline(const TriangleSurface& surface, const PipelineOption
   r.surface = std::move(check.surface);
   r.warnings = std::move(check.notes);
   clock.begin("refine");
-  find_openings(r);
+  refine(r, find_openings(r));
   clock.begin("forms");
   const Eigen::VectorXd star = star1(r.refined.surface, r.refined_connectivity);
   r.basis = holomorphic_basis(r.refined_connectivity, star);

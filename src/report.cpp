@@ -53,7 +53,9 @@ Json input_json(const PipelineResult& r, const ReportContext& context) {
 Json energy_json(const OptimumResult& optimum) {
   Json starts = Json::array();
   for (const Descent& descent : optimum.descents) {
-    starts.push_back({{"signs", descent.signs},
+    std::string signs;
+    for (const int sign : descent.signs) signs += sign > 0 ? '+' : '-';
+    starts.push_back({{"signs", signs},
                       {"energy", descent.energy},
                       {"iterations", descent.iterations.size() - 1}});
   }

@@ -15,9 +15,6 @@ inline constexpr double delaunay_split_margin = 0.05;
 /// what a double holds of an energy of order one.
 inline constexpr double energy_decrease = 1e-13;
 
-/// Two loops of equal length to this relative difference keep the order of the input.
-inline constexpr double loop_length = 1e-9;
-
 /// A loop counts as planar when its vertices lie this close (relative to its mean radius) to its
 /// plane: an STL of single-precision coordinates far from the origin reaches 1e-4.
 inline constexpr double loop_planarity = 1e-3;

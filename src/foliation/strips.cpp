@@ -172,8 +172,9 @@ class StripFinder {
 
   double end_of_gap(const Stop& stop) const {
     const auto& lines = result_.arc_lines[stop.arc];
-    const std::size_t next = static_cast<std::size_t>(stop.item + 1);
-    return next < lines.size() ? lines[next].offset : arc(stop.arc).curve.length();
+    const int next = stop.item + 1;
+    return next < static_cast<int>(lines.size()) ? lines[next].offset
+                                                 : arc(stop.arc).curve.length();
   }
 
   void collect_cylinders();

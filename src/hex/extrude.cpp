@@ -237,7 +237,7 @@ double reduced_share(const QuadMesh& quads, const std::vector<double>& thickness
 
 }  // namespace
 
-ExtrudeResult extrude(const QuadMesh& quads, std::vector<Vec3> directions,
+ExtrudeResult extrude(const QuadMesh& quads, const std::vector<Vec3>& directions,
                       const std::vector<std::string>& loop_names, const ExtrudeOptions& options) {
   ExtrudeResult result;
   result.thickness = Thickness(quads, directions, options).run();

@@ -35,7 +35,7 @@ struct ExtrudeResult {
 /// inner_wall, outer_wall, and one per boundary loop; zones layer_1 (at the lumen) … N. \param
 /// directions #V unit vectors, away from the lumen. \param loop_names one per boundary loop.
 /// \throws MeshingError if no positive thickness gives positive Jacobians.
-ExtrudeResult extrude(const QuadMesh& quads, std::vector<Vec3> directions,
+ExtrudeResult extrude(const QuadMesh& quads, const std::vector<Vec3>& directions,
                       const std::vector<std::string>& loop_names, const ExtrudeOptions& options);
 
 }  // namespace hexwall
