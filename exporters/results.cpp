@@ -112,6 +112,7 @@ PolyData critical_data(const PipelineResult& r) {
   }
   for (const Arc& arc : r.foliation.graph.arcs) {
     std::vector<Vec3> points;
+    points.reserve(arc.curve.points.size());
     for (const EdgePoint& p : arc.curve.points) {
       points.push_back(position(r.refined.surface, r.refined_connectivity, p));
     }
@@ -121,6 +122,7 @@ PolyData critical_data(const PipelineResult& r) {
   }
   for (const std::vector<int>& line : r.conformal.vertical_lines) {
     std::vector<Vec3> points;
+    points.reserve(line.size());
     for (const int v : line) points.push_back(r.conformal.mesh.points[v]);
     add_polyline(data, points);
     kinds.push_back(kind_vertical);
@@ -143,7 +145,7 @@ PolyData quad_data(const PipelineResult& r) {
   data.cell_arrays.push_back({"patch", 1, r.quads.patch});
   data.cell_arrays.push_back({"scaled_jacobian", 1, r.quad_quality.scaled_jacobian});
   FieldStrings names{"loop_names", {}};
-  for (const Opening& opening : r.openings) names.values.push_back(opening.name);
+  for (const Opening& opening : r.openings) names.values.emplace_back(opening.name);
   data.strings.push_back(std::move(names));
   return data;
 }

@@ -23,8 +23,9 @@ class Refiner {
     for (std::size_t f = 0; f < parent_.size(); ++f) parent_[f] = static_cast<int>(f);
     loop_.resize(points_.size());
     for (int v = 0; v < mesh.vertex_count(); ++v) loop_[v] = mesh.loop_of_vertex(v);
-    // Real surfaces need a few per cent; past this the input is hopeless and the caller is told.
-    split_budget_ = 8 * points_.size();
+    // Segmented surfaces need less than four splits a vertex; the floor is for coarse surfaces of
+    // long triangles, which take hundreds. Past this the input is hopeless and the caller is told.
+    split_budget_ = std::max<std::size_t>(8 * points_.size(), 100000);
   }
 
   DelaunaySurface run() {
@@ -71,8 +72,6 @@ class Refiner {
       flip(h);
     } else if (splits_ < split_budget_) {
       split(h, crossing_parameter(h));
-    } else {
-      ++negative_edges_;
     }
   }
 
@@ -157,13 +156,21 @@ class Refiner {
     }
   }
 
+  int count_negative_edges() const {
+    int count = 0;
+    for (int h = 0; h < static_cast<int>(twin_.size()); ++h) {
+      if (h < twin_[h] && cotangent_sum(h) < -tolerance::delaunay_cotangent) ++count;
+    }
+    return count;
+  }
+
   DelaunaySurface result() {
     DelaunaySurface out;
+    out.negative_edges = count_negative_edges();
     out.surface = {std::move(points_), std::move(triangles_)};
     out.parent_face = std::move(parent_);
     out.splits = static_cast<int>(splits_);
     out.flips = flips_;
-    out.negative_edges = negative_edges_;
     return out;
   }
 
@@ -172,7 +179,7 @@ class Refiner {
   std::vector<int> parent_, twin_, loop_, queue_;
   std::vector<bool> queued_;
   std::size_t splits_ = 0, split_budget_ = 0;
-  int flips_ = 0, negative_edges_ = 0;
+  int flips_ = 0;
 };
 
 }  // namespace

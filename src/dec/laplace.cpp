@@ -51,6 +51,7 @@ void LaplaceSolver::Implementation::assemble(const Connectivity& mesh,
   matrix.setFromTriplets(inner.begin(), inner.end());
   coupling.resize(size, mesh.vertex_count());
   coupling.setFromTriplets(outer.begin(), outer.end());
+  factor.cholmod().print = 0;  // failures are thrown, not printed
   factor.compute(matrix);
   if (factor.info() != Eigen::Success) {
     throw Error(ExitCode::internal, "the Laplacian of the surface is not positive definite");

@@ -13,7 +13,7 @@ namespace hexwall {
 /// of fixed vertices removed. Factorised once, then solves any number of right-hand sides.
 class LaplaceSolver {
  public:
-  /// \param star1 #E weights, not negative.
+  /// \param star1 #E cotangent weights, as of `star1`.
   /// \param fixed #V, true where the solution is given. At least one vertex.
   /// \throws Error(internal) if the matrix is not positive definite.
   LaplaceSolver(const Connectivity& mesh, const Eigen::VectorXd& star1, std::vector<bool> fixed);

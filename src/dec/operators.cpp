@@ -26,7 +26,10 @@ Eigen::VectorXd star1(const TriangleSurface& surface, const Connectivity& mesh) 
   const Eigen::VectorXd cotangents = halfedge_cotangents(surface);
   Eigen::VectorXd star = Eigen::VectorXd::Zero(mesh.edge_count());
   for (int h = 0; h < mesh.halfedge_count(); ++h) star[mesh.edge(h)] += 0.5 * cotangents[h];
-  return star.cwiseMax(0.0);
+  for (int e = 0; e < mesh.edge_count(); ++e) {
+    if (!mesh.is_boundary_edge(e)) star[e] = std::max(star[e], 0.0);
+  }
+  return star;
 }
 
 Eigen::SparseMatrix<double> d0(const Connectivity& mesh) {

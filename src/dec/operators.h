@@ -12,7 +12,9 @@ namespace hexwall {
 Eigen::VectorXd halfedge_cotangents(const TriangleSurface& surface);
 
 /// The diagonal of the Hodge star on 1-forms: per edge half the sum of the cotangents of its
-/// opposite angles, dimensionless; negative sums are raised to zero. #E.
+/// opposite angles, dimensionless. Negative sums of interior edges are raised to zero, which keeps
+/// the maximum principle; those of boundary edges (beside obtuse angles) stay, for they belong in
+/// the natural boundary condition. #E.
 Eigen::VectorXd star1(const TriangleSurface& surface, const Connectivity& mesh);
 
 /// Exterior derivative of 0-forms: (d0 f)(ab) = f(b) - f(a). #E x #V.

@@ -75,7 +75,7 @@ bool make_monotone_periodic(std::vector<double>& x) {
   for (std::size_t i = 1; i < upper.size(); ++i) upper[i] = std::max(upper[i], upper[i - 1]);
   for (std::size_t i = lower.size() - 1; i-- > 0;) lower[i] = std::min(lower[i], lower[i + 1]);
   for (std::size_t i = 0; i < size; ++i) x[i] = 0.5 * (upper[size + i] + lower[size + i]);
-  x.back() = x.front() + period;
+  x.back() = std::max(x.front() + period, x[size - 1]);  // rounding, where a plateau spans the seam
   return true;
 }
 

@@ -41,7 +41,7 @@ struct Strips {
 };
 
 /// Follows the vertical critical trajectories through the cylinders and joins what lies between
-/// them to strips: 2(n - 1) plus half the number of half-zeros.
+/// them to strips: n - 1 plus the number of distinct zeros, half-zeros included.
 ///
 /// Falling lines are placed on the arcs below by comparing x with the arcs' ends; rising lines are
 /// then placed by their order among the falling ones alone. The result is therefore consistent

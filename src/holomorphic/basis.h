@@ -40,7 +40,7 @@ struct HolomorphicBasis {
 };
 
 /// Computes the basis: one Dirichlet and one Neumann factorisation, 2 n right-hand sides.
-/// \param star1 #E weights of `mesh`, not negative.
+/// \param star1 #E cotangent weights of `mesh`, as of `star1`.
 /// \param exterior any loop: the space of forms does not depend on it.
 /// \pre genus 0, at least two loops.
 HolomorphicBasis holomorphic_basis(const Connectivity& mesh, const Eigen::VectorXd& star1,

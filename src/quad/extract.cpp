@@ -154,6 +154,7 @@ class Extractor {
     for (const LineInCylinder& line : strips_.in_cylinder[c]) {
       if (strips_.lines[line.line].sector >= 0) {
         std::vector<int> vertices;
+        vertices.reserve(rings.size());
         for (const auto& level : rings) vertices.push_back(level[i]);
         result_.vertical_lines.push_back(std::move(vertices));
       }
