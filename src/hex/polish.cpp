@@ -18,6 +18,10 @@ namespace {
 constexpr double wanted_quad_jacobian = 0.5;
 constexpr double wanted_hex_jacobian = 0.3;
 constexpr double wanted_face_split = 0.15;
+// Among places that meet the goals, those with squarer quads are taken.
+constexpr double skew_weight = 0.02;
+// A move may not take what a thinner wall would need, should the goals be out of reach.
+constexpr double enough_thin_quality = 0.4;
 // Steps of the search: relative to the shortest edge for moves, in radians for tilts.
 constexpr double first_move = 0.3;
 constexpr double first_tilt = 0.3;
@@ -74,16 +78,21 @@ class Polisher {
         std::count_if(shortfall_.begin(), shortfall_.end(), [](double s) { return s > 0.0; }));
   }
 
-  double shortfall(int q) const {
-    Column column;
+  Column column(int q) const {
+    Column result;
     for (int k = 0; k < 4; ++k) {
       const int v = quads_.quads[q][k];
-      column.base[k] = quads_.points[v];
-      column.direction[k] = directions_[v];
-      column.thickness[k] = options_.thickness;
+      result.base[k] = quads_.points[v];
+      result.direction[k] = directions_[v];
+      result.thickness[k] = options_.thickness;
     }
-    const ColumnQuality quality = column_quality(column, fractions_);
-    return square(std::max(0.0, wanted_quad_jacobian - scaled_jacobian(column.base))) +
+    return result;
+  }
+
+  double shortfall(int q) const {
+    const Column c = column(q);
+    const ColumnQuality quality = column_quality(c, fractions_);
+    return square(std::max(0.0, wanted_quad_jacobian - scaled_jacobian(c.base))) +
            square(std::max(0.0, wanted_hex_jacobian - quality.scaled_jacobian)) +
            square(std::max(0.0, wanted_face_split - quality.face_split));
   }
@@ -104,8 +113,30 @@ class Polisher {
 
   double cost_around(int v) const {
     double sum = 0.0;
-    for (int i = first_quad_[v]; i < first_quad_[v + 1]; ++i) sum += shortfall(quads_of_vertex_[i]);
+    for (int i = first_quad_[v]; i < first_quad_[v + 1]; ++i) {
+      const int q = quads_of_vertex_[i];
+      sum += shortfall(q) + skew_weight * skew(q);
+    }
     return sum;
+  }
+
+  // Sum of the squared cosines of a quad's corner angles.
+  double skew(int q) const {
+    const auto p = corners_of(quads_, q);
+    double sum = 0.0;
+    for (int k = 0; k < 4; ++k) {
+      sum += square((p[(k + 1) % 4] - p[k]).normalized().dot((p[(k + 3) % 4] - p[k]).normalized()));
+    }
+    return sum;
+  }
+
+  // Least quality around v in the limit of a thin wall, as far as it matters.
+  double thin_quality_around(int v) const {
+    double least = enough_thin_quality;
+    for (int i = first_quad_[v]; i < first_quad_[v + 1]; ++i) {
+      least = std::min(least, flat_quality(column(quads_of_vertex_[i])));
+    }
+    return least;
   }
 
   double shortest_edge(int v) const {
@@ -129,6 +160,7 @@ class Polisher {
     const Vec3 e2 = direction.cross(e1);
     const double move = first_move * step_[v] * shortest_edge(v);
     const double tilt = first_tilt * step_[v];
+    const double thin_quality = thin_quality_around(v);
     double best = cost_around(v) * (1.0 - 1e-6);  // a gain below that is not worth a sweep
     SurfacePoint best_place = place;
     Vec3 best_direction = direction;
@@ -140,7 +172,7 @@ class Polisher {
       set(v, moves ? projector_.project(place.position + move * tangent, place.face) : place,
           moves ? direction : (direction + tilt * tangent).normalized());
       const double cost = cost_around(v);
-      if (cost >= best) continue;
+      if (cost >= best || thin_quality_around(v) < thin_quality) continue;
       best = cost;
       best_place = places_[v];
       best_direction = directions_[v];

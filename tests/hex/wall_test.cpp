@@ -160,6 +160,18 @@ TEST_P(Layers, AreCompleteWhereTheWallIsThin) {
 
 INSTANTIATE_TEST_SUITE_P(, Layers, testing::Values(1, 2, 7));
 
+/// However thick a wall is asked for, as much as fits comes out.
+class Thickness : public testing::TestWithParam<double> {};
+
+TEST_P(Thickness, IsReducedToWhatFits) {
+  PipelineOptions options;
+  options.thickness = GetParam();
+  options.size = 0.25;
+  expect_valid_wall(run_pipeline(generate_shape(Shape::bifurcation, 0.25), options));
+}
+
+INSTANTIATE_TEST_SUITE_P(, Thickness, testing::Values(0.01, 0.5, 1.0, 2.0, 4.0));
+
 struct Goal {
   const char* surface;
   double size;  ///< 0: the default

@@ -88,7 +88,10 @@ class Program : public testing::Test {
   /// Meshes into the folder `name`, with more arguments. Throws if that fails.
   fs::path mesh(const std::string& name, const std::vector<std::string>& more = {}) {
     const fs::path output = folder_ / name;
-    std::vector<std::string> arguments{"mesh", surface_, "-o", output.string(), "--size", "0.25"};
+    std::vector<std::string> arguments{"mesh", surface_, "-o", output.string()};
+    if (std::find(more.begin(), more.end(), "--size") == more.end()) {
+      arguments.insert(arguments.end(), {"--size", "0.25"});
+    }
     arguments.insert(arguments.end(), more.begin(), more.end());
     result_ = run_hexwall(arguments);
     if (result_.exit_code != 0) throw std::runtime_error("hexwall failed: " + result_.err);
@@ -305,7 +308,7 @@ TEST_F(Program, FilesHaveTheCellsOfTheReport) {
 }
 
 TEST_F(Program, ThicknessAtPointsIsAsReported) {
-  const fs::path output = mesh("out", {"--thickness", "1"});
+  const fs::path output = mesh("out", {"--size", "0.15", "--thickness", "1"});
   const auto quads = read_vtk<vtkXMLPolyDataReader>(output / "quads.vtp");
   const auto range = quads->GetPointData()->GetArray("thickness")->GetRange();
   const json wall = report_in(output)["wall"];

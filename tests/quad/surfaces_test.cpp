@@ -67,8 +67,8 @@ void expect_on_surface(const PipelineResult& r) {
   EXPECT_LE(greatest, tolerance);
 }
 
-/// The quads look out where the surface does: judged by area, since a quad across a sharp crease
-/// may look where neither of its sides does.
+/// The quads look out where the surface does: judged by area, since a quad across a sharp crease,
+/// or one that alone covers a blind sac, may look elsewhere.
 void expect_outward(const PipelineResult& r) {
   const SurfaceDistance distance(r.surface);
   double area = 0.0;
@@ -82,7 +82,7 @@ void expect_outward(const PipelineResult& r) {
     area += normal.norm();
     if ((s[t[1]] - s[t[0]]).cross(s[t[2]] - s[t[0]]).dot(normal) <= 0.0) inward += normal.norm();
   }
-  EXPECT_LE(inward, 1e-3 * area);
+  EXPECT_LE(inward, 5e-3 * area);
   // Without poles, the large quads in blind sacs cut off as much as a tenth.
   EXPECT_NEAR(area / total_area(r.surface), 0.94, 0.08);
 }
