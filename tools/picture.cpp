@@ -271,6 +271,9 @@ vtkSmartPointer<vtkScalarBarActor> scalar_bar(const Colours& colours, const std:
     text->ShadowOff();
     text->BoldOff();
   }
+  // The bar is as wide as about 9 letters: longer names get smaller ones.
+  const double letters = std::max(9.0, static_cast<double>(title.size()));
+  bar->GetTitleTextProperty()->SetFontSize(static_cast<int>(9.0 * font_size / letters));
   bar->SetLabelFormat("%.3g");
   bar->SetVerticalTitleSeparation(12);
   if (colours.whole_numbers) {
@@ -441,7 +444,7 @@ void build_scene(const PictureOptions& options, vtkRenderWindow* window) {
   scene->AddActor(actor);
   if (options.edges) scene->AddActor(edges_actor(surface));
   if (!options.lines.empty()) {
-    scene->AddActor(lines_actor(options.lines, 0.0025 * data->GetLength()));
+    scene->AddActor(lines_actor(options.lines, 0.0012 * data->GetLength()));
     scene->AddActor(vertices_actor(options.lines));
   }
   const double aspect = width * window->GetSize()[0] / window->GetSize()[1];

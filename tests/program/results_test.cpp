@@ -87,7 +87,7 @@ class Program : public testing::Test {
 
   /// Meshes into the folder `name`, with more arguments. Throws if that fails.
   fs::path mesh(const std::string& name, const std::vector<std::string>& more = {}) {
-    const fs::path output = folder_ / name;
+    fs::path output = folder_ / name;
     std::vector<std::string> arguments{"mesh", surface_, "-o", output.string()};
     if (std::find(more.begin(), more.end(), "--size") == more.end()) {
       arguments.insert(arguments.end(), {"--size", "0.25"});
