@@ -37,6 +37,18 @@ double split_height(const Face& face, int k, const Vec3& below, const Vec3& abov
 
 }  // namespace
 
+Column column_of(const QuadMesh& quads, int quad, const std::vector<Vec3>& directions,
+                 double thickness) {
+  Column column;
+  for (int k = 0; k < 4; ++k) {
+    const int v = quads.quads[quad][k];
+    column.base[k] = quads.points[v];
+    column.direction[k] = directions[v];
+    column.thickness[k] = thickness;
+  }
+  return column;
+}
+
 ColumnQuality column_quality(const Column& column, const std::vector<double>& fractions) {
   ColumnQuality quality;
   Face low = level_face(column, 0.0);

@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "surface/triangle_surface.h"
+#include "quad/quad_mesh.h"
 
 namespace hexwall {
 
@@ -13,6 +13,11 @@ struct Column {
   std::array<Vec3, 4> direction;  ///< unit vectors
   std::array<double, 4> thickness;
 };
+
+/// The column of a quad with the same thickness at its four corners. \param directions one per
+/// vertex.
+Column column_of(const QuadMesh& quads, int quad, const std::vector<Vec3>& directions,
+                 double thickness);
 
 struct ColumnQuality {
   /// Least scaled Jacobian of the column's hexes.

@@ -62,13 +62,7 @@ class Smoother {
 
  private:
   bool is_bad(std::size_t q) const {
-    Column column;
-    for (int k = 0; k < 4; ++k) {
-      const int v = quads_.quads[q][k];
-      column.base[k] = quads_.points[v];
-      column.direction[k] = directions_[v];
-      column.thickness[k] = options_.thickness;
-    }
+    const Column column = column_of(quads_, static_cast<int>(q), directions_, options_.thickness);
     const ColumnQuality quality = column_quality(column, fractions_);
     // A quad that is itself poor can't give better hexes.
     const double attainable = 0.9 * scaled_jacobian(column.base);

@@ -68,13 +68,8 @@ class Thickness {
   }
 
   Column column(int q) const {
-    Column result;
-    for (int k = 0; k < 4; ++k) {
-      const int v = quads_.quads[q][k];
-      result.base[k] = quads_.points[v];
-      result.direction[k] = directions_[v];
-      result.thickness[k] = values_[v];
-    }
+    Column result = column_of(quads_, q, directions_, options_.thickness);
+    for (int k = 0; k < 4; ++k) result.thickness[k] = values_[quads_.quads[q][k]];
     return result;
   }
 

@@ -78,16 +78,7 @@ class Polisher {
         std::count_if(shortfall_.begin(), shortfall_.end(), [](double s) { return s > 0.0; }));
   }
 
-  Column column(int q) const {
-    Column result;
-    for (int k = 0; k < 4; ++k) {
-      const int v = quads_.quads[q][k];
-      result.base[k] = quads_.points[v];
-      result.direction[k] = directions_[v];
-      result.thickness[k] = options_.thickness;
-    }
-    return result;
-  }
+  Column column(int q) const { return column_of(quads_, q, directions_, options_.thickness); }
 
   double shortfall(int q) const {
     const Column c = column(q);
