@@ -105,6 +105,7 @@ Json quads_json(const PipelineResult& r) {
             {"95%", quantiles[3]},
             {"99%", quantiles[4]}}},
           {"off_size_area_fraction", quality.off_size_area_fraction},
+          {"area_fraction", quality.area / total_area(r.surface)},
           {"relax_iterations", r.relaxation.iterations},
           {"polished",
            {{"columns_before", r.polishing.columns_before},

@@ -83,7 +83,7 @@ QuadQuality quad_quality(const QuadMesh& mesh, double target) {
   QuadQuality result;
   result.irregular = count_irregular(mesh);
   double squares = 0.0;
-  double area = 0.0;
+  double largest = 0.0;
   double off_size_area = 0.0;
   for (int q = 0; q < static_cast<int>(mesh.quads.size()); ++q) {
     const auto corners = corners_of(mesh, q);
@@ -94,7 +94,11 @@ QuadQuality quad_quality(const QuadMesh& mesh, double target) {
     }
     const double quad_area = 0.5 * doubled_area_vector(corners).norm();
     const double side = std::sqrt(quad_area) / target;
-    area += quad_area;
+    result.area += quad_area;
+    if (quad_area > largest) {
+      largest = quad_area;
+      result.largest_quad = q;
+    }
     if (side > 2.0 || side < 0.5) off_size_area += quad_area;
   }
   const auto corners = static_cast<double>(4 * mesh.quads.size());
@@ -102,7 +106,7 @@ QuadQuality quad_quality(const QuadMesh& mesh, double target) {
   result.min_scaled_jacobian =
       *std::min_element(result.scaled_jacobian.begin(), result.scaled_jacobian.end());
   result.edge_length_quantiles = edge_quantiles(mesh, target);
-  result.off_size_area_fraction = off_size_area / area;
+  result.off_size_area_fraction = off_size_area / result.area;
   return result;
 }
 

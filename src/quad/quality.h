@@ -23,6 +23,8 @@ struct QuadQuality {
   double min_scaled_jacobian = 0.0;
   std::vector<double> scaled_jacobian;            ///< #Q
   std::array<double, 5> edge_length_quantiles{};  ///< 1, 5, 50, 95, 99 %, relative to the target
+  double area = 0.0;                              ///< of all quads
+  int largest_quad = -1;                          ///< the quad of greatest area
   double off_size_area_fraction = 0.0;  ///< share of the area in quads more than 2x off in length
 };
 

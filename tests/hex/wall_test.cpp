@@ -202,6 +202,12 @@ TEST_P(Goals, AreReached) {
   EXPECT_LE(r.quad_quality.angle_stddev_deg, 3.5);
   EXPECT_GE(r.quad_quality.min_scaled_jacobian, 0.4);
   expect_valid_wall(r);
+  // Without poles the tip of the aneurysm's sac is cut off: the user has to be told.
+  const bool is_told = std::any_of(r.warnings.begin(), r.warnings.end(), [](const auto& warning) {
+    return warning.find("is cut off") != std::string::npos;
+  });
+  EXPECT_EQ(is_told, r.quad_quality.area < 0.98 * total_area(r.surface));
+  EXPECT_EQ(is_told, std::string(goal.surface) == "aneurysm");
 }
 
 INSTANTIATE_TEST_SUITE_P(, Goals,
