@@ -27,7 +27,7 @@ fs::path topmost_missing(const fs::path& folder) {
 
 }  // namespace
 
-OutputFolder::OutputFolder(fs::path folder)
+OutputFolder::OutputFolder(const fs::path& folder)
     : folder_(fs::absolute(folder).lexically_normal()), staging_(folder_ / staging_name) {
   std::error_code error;
   first_created_ = topmost_missing(folder_);

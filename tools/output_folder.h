@@ -10,7 +10,7 @@ namespace hexwall {
 class OutputFolder {
  public:
   /// \throws WriteError if the folder cannot be made or written to.
-  explicit OutputFolder(std::filesystem::path folder);
+  explicit OutputFolder(const std::filesystem::path& folder);
   ~OutputFolder();
   OutputFolder(const OutputFolder&) = delete;
   OutputFolder& operator=(const OutputFolder&) = delete;
