@@ -79,8 +79,8 @@ void add_polyline(PolyData& data, const std::vector<Vec3>& points) {
 }  // namespace
 
 PolyData surface_data(const PipelineResult& r) {
-  const TriangleSurface& surface = r.refined.surface;
-  const SurfaceLabels labels = label_surface(r.refined_connectivity, r.form, r.foliation,
+  const TriangleSurface& surface = r.solution.refined.surface;
+  const SurfaceLabels labels = label_surface(r.solution.connectivity, r.solution.form, r.foliation,
                                              r.numbers.across, r.numbers.along, r.spacing);
   PolyData data = separate_triangles(surface);
   std::vector<double> x;
@@ -89,14 +89,15 @@ PolyData surface_data(const PipelineResult& r) {
     x.insert(x.end(), labels.x[f].begin(), labels.x[f].end());
     uv.insert(uv.end(), labels.uv[f].begin(), labels.uv[f].end());
   }
-  data.point_arrays.push_back({"y", 1, at_corners(surface, r.form.y)});
+  data.point_arrays.push_back({"y", 1, at_corners(surface, r.solution.form.y)});
   data.point_arrays.push_back({"x", 1, std::move(x)});
   data.point_arrays.push_back({"uv", 2, std::move(uv)});
   data.texture_coordinates = "uv";
   data.cell_arrays.push_back({"cylinder", 1, labels.cylinder});
   data.cell_arrays.push_back({"patch", 1, labels.patch});
-  data.cell_arrays.push_back({"input_triangle", 1, r.refined.parent_face});
-  data.cell_arrays.push_back({"scale_factor", 1, r.scale_factor});
+  data.cell_arrays.push_back({"input_triangle", 1, r.solution.refined.parent_face});
+  data.cell_arrays.push_back({"scale_factor", 1, r.solution.scale_factor});
+  data.cell_arrays.push_back({"size_ratio", 1, r.solution.size_ratio});
   return data;
 }
 
@@ -106,7 +107,7 @@ PolyData critical_data(const PipelineResult& r) {
   std::vector<double> orders;
   for (const Zero& zero : r.foliation.graph.zeros) {
     data.vertices.add(std::array{static_cast<int>(data.points.size())});
-    data.points.push_back(r.refined.surface.points[zero.vertex]);
+    data.points.push_back(r.solution.refined.surface.points[zero.vertex]);
     kinds.push_back(kind_zero);
     orders.push_back(0.5 * zero.doubled_order);
   }
@@ -114,7 +115,7 @@ PolyData critical_data(const PipelineResult& r) {
     std::vector<Vec3> points;
     points.reserve(arc.curve.points.size());
     for (const EdgePoint& p : arc.curve.points) {
-      points.push_back(position(r.refined.surface, r.refined_connectivity, p));
+      points.push_back(position(r.solution.refined.surface, r.solution.connectivity, p));
     }
     add_polyline(data, points);
     kinds.push_back(kind_horizontal);
@@ -140,6 +141,7 @@ PolyData quad_data(const PipelineResult& r) {
   data.polygons.reserve(r.quads.quads.size(), 4);
   for (const auto& quad : r.quads.quads) data.polygons.add(quad);
   data.point_arrays.push_back({"loop", 1, r.quads.loop_of_vertex});
+  data.point_arrays.push_back({"target_edge", 1, r.target_edge});
   data.point_arrays.push_back({"thickness", 1, r.wall.thickness});
   data.cell_arrays.push_back({"cylinder", 1, r.quads.cylinder});
   data.cell_arrays.push_back({"patch", 1, r.quads.patch});
@@ -151,21 +153,21 @@ PolyData quad_data(const PipelineResult& r) {
 }
 
 PolyData basis_data(const PipelineResult& r) {
-  const TriangleSurface& surface = r.refined.surface;
-  const Eigen::MatrixXd g = potentials(r.basis);
+  const TriangleSurface& surface = r.solution.refined.surface;
+  const Eigen::MatrixXd g = potentials(r.solution.basis);
   PolyData data = separate_triangles(surface);
-  for (int i = 0; i < r.basis.size(); ++i) {
-    const std::string loop = r.openings[r.basis.loop(i)].name;
-    std::vector<double> x = integrate(r.refined_connectivity, r.basis.omega_form(i));
+  for (int i = 0; i < r.solution.basis.size(); ++i) {
+    const std::string loop = loop_name(r, r.solution.basis.loop(i));
+    std::vector<double> x = integrate(r.solution.connectivity, r.solution.basis.omega_form(i));
     const std::vector<double> y = at_corners(surface, g.col(i));
     std::vector<double> phi;
     phi.reserve(2 * x.size());
     for (std::size_t c = 0; c < x.size(); ++c) phi.insert(phi.end(), {x[c], y[c]});
-    data.point_arrays.push_back({"f_" + loop, 1, at_corners(surface, r.basis.f.col(i))});
+    data.point_arrays.push_back({"f_" + loop, 1, at_corners(surface, r.solution.basis.f.col(i))});
     data.point_arrays.push_back({"omega_" + loop, 1, std::move(x)});
     data.point_arrays.push_back({"phi_" + loop, 2, std::move(phi)});
   }
-  data.texture_coordinates = "phi_" + r.openings[r.basis.loop(0)].name;
+  data.texture_coordinates = "phi_" + loop_name(r, r.solution.basis.loop(0));
   return data;
 }
 

@@ -9,10 +9,10 @@
 #include <fmt/format.h>
 
 #include "core/errors.h"
-#include "dec/operators.h"
-#include "holomorphic/energy.h"
+#include "foliation/local_radius.h"
 #include "surface/check.h"
 #include "surface/projector.h"
+#include "warnings.h"
 
 namespace hexwall {
 namespace {
@@ -23,8 +23,12 @@ constexpr double default_thickness_ratio = 0.1;
 // form's scale tends to 0: no quad should be asked to be that large or small.
 constexpr double greatest_size_ratio = 3.0;
 
-// Chords of a circle of 16 quads miss 0.6 % of it: more than this is a missing piece of surface.
-constexpr double noticeable_missing_area = 0.02;
+// Radii within this factor of the mean give target edges; beyond, a branch would take most quads.
+constexpr double greatest_edge_ratio = 8.0;
+
+double square(double x) {
+  return x * x;
+}
 
 void require(bool holds, const std::string& message) {
   if (!holds) throw UsageError(message);
@@ -37,6 +41,7 @@ void check_options(const PipelineOptions& options) {
           "--thickness must be a positive length");
   require(options.layers >= 1, "--layers must be at least 1");
   require(positive(options.growth), "--growth must be a positive ratio");
+  require(options.poles.count >= 0, "--poles must not be negative");
   require(options.relax >= 0.0 && options.relax <= 1.0, "--relax must lie between 0 and 1");
 }
 
@@ -48,8 +53,7 @@ std::vector<Vec3> loop_points(const TriangleSurface& surface, const std::vector<
 }
 
 // Connectivity with the longest loop first, so that names do not depend on the file's order.
-// Returns the former numbers of the loops.
-std::vector<int> find_openings(PipelineResult& r) {
+void find_openings(PipelineResult& r) {
   r.connectivity = Connectivity(static_cast<int>(r.surface.points.size()), r.surface.triangles);
   const auto& loops = r.connectivity.loops();
   std::vector<double> lengths;
@@ -66,52 +70,93 @@ std::vector<int> find_openings(PipelineResult& r) {
     r.openings.push_back({fmt::format("loop_{}", i), lengths[order[i]],
                           fit_plane(loop_points(r.surface, r.connectivity.loops()[i]))});
   }
-  return order;
 }
 
-// The refinement keeps loops and vertex numbers, so that its loops come in the same order.
-void refine(PipelineResult& r, const std::vector<int>& loop_order) {
-  r.refined = make_delaunay(r.surface);
-  r.refined_connectivity =
-      Connectivity(static_cast<int>(r.refined.surface.points.size()), r.refined.surface.triangles);
-  r.refined_connectivity.reorder_loops(loop_order);
-}
-
-// |grad y| on each triangle of the refined surface.
-std::vector<double> scale_factors(const PipelineResult& r) {
-  const TriangleSurface& surface = r.refined.surface;
-  std::vector<double> result;
-  result.reserve(surface.triangles.size());
-  for (int f = 0; f < static_cast<int>(surface.triangles.size()); ++f) {
-    const auto& t = surface.triangles[f];
-    Vec3 rotated = Vec3::Zero();
-    for (int k = 0; k < 3; ++k) {
-      rotated += r.form.y[t[k]] * (surface.points[t[(k + 2) % 3]] - surface.points[t[(k + 1) % 3]]);
-    }
-    result.push_back(rotated.norm() / doubled_area_vector(surface, f).norm());
+std::vector<double> face_means(const TriangleSurface& surface, const std::vector<double>& values) {
+  std::vector<double> means;
+  means.reserve(surface.triangles.size());
+  for (const auto& [a, b, c] : surface.triangles) {
+    means.push_back((values[a] + values[b] + values[c]) / 3.0);
   }
-  return result;
+  return means;
+}
+
+// Radius of the vessel at each vertex over its mean over the surface, from the form of even sizes.
+std::vector<double> relative_radii(const PipelineResult& r) {
+  const Eigen::VectorXd even = Eigen::VectorXd::Ones(r.connectivity.face_count());
+  const FormSolution s = *solve_form({r.surface, r.connectivity, even}, {});
+  std::vector<double> radii =
+      local_radius(s.refined.surface, s.connectivity, s.form, foliate(s.connectivity, s.form));
+  radii.resize(r.surface.points.size());  // the refinement's own vertices come after the input's
+  const std::vector<double> of_faces = face_means(r.surface, radii);
+  double sum = 0.0;
+  for (std::size_t f = 0; f < of_faces.size(); ++f) {
+    sum += of_faces[f] * 0.5 * doubled_area_vector(r.surface, static_cast<int>(f)).norm();
+  }
+  const double mean = sum / total_area(r.surface);
+  for (double& radius : radii) {
+    radius = std::clamp(radius / mean, 1.0 / greatest_edge_ratio, greatest_edge_ratio);
+  }
+  return radii;
+}
+
+void find_relative_edges(PipelineResult& r) {
+  const std::size_t count = r.surface.points.size();
+  r.relative_edge = r.options.size_field;
+  if (r.relative_edge.empty()) r.relative_edge.assign(count, 1.0);
+  require(r.relative_edge.size() == count, "the size field needs one value for each vertex");
+  for (std::size_t v = 0; v < count; ++v) {
+    if (r.relative_edge[v] > 0.0 && std::isfinite(r.relative_edge[v])) continue;
+    const Vec3& at = r.surface.points[v];
+    throw UsageError(
+        fmt::format("the size field is {} at ({:.6g}, {:.6g}, {:.6g}): target edge "
+                    "lengths must be positive",
+                    r.relative_edge[v], at.x(), at.y(), at.z()));
+  }
+  if (!r.options.size_by_radius) return;
+  const std::vector<double> radii = relative_radii(r);
+  for (std::size_t v = 0; v < count; ++v) r.relative_edge[v] *= radii[v];
 }
 
 void find_form(PipelineResult& r) {
-  const Eigen::MatrixXd g = potentials(r.basis);
-  const auto face_count = static_cast<int>(r.surface.triangles.size());
-  const Eigen::VectorXd rho = Eigen::VectorXd::Ones(face_count);
-  const auto energy = area_energy({r.refined.surface, r.refined.parent_face, face_count, g, rho});
-  std::vector<double> lengths;
-  for (const Opening& opening : r.openings) lengths.push_back(opening.length);
-  r.optimum = optimal_form(*energy, lengths, r.basis.exterior);
-  r.form = combine(r.refined_connectivity, r.basis, r.optimum.lambda);
-  r.scale_factor = scale_factors(r);
+  const std::vector<double> of_faces = face_means(r.surface, r.relative_edge);
+  const Eigen::VectorXd edge = Eigen::Map<const Eigen::VectorXd>(
+      of_faces.data(), static_cast<Eigen::Index>(of_faces.size()));
+  const FormProblem problem{r.surface, r.connectivity, edge};
+  PoleResult found{*solve_form(problem, {}), {}};
+  const PoleRequest& poles = r.options.poles;
+  if (poles.mode == PoleRequest::Mode::automatic) {
+    found = place_poles(problem, std::move(found.solution), {});
+  } else if (poles.mode == PoleRequest::Mode::count) {
+    PoleOptions options;
+    options.most = poles.count;
+    options.only_if_worthwhile = false;
+    found = place_poles(problem, std::move(found.solution), options);
+  } else if (poles.mode == PoleRequest::Mode::places) {
+    found = place_poles_at(problem, std::move(found.solution), poles.places);
+  }
+  r.solution = std::move(found.solution);
+  r.poles = std::move(found.poles);
 }
 
 // Area of the image of the surface under (x, y): the Dirichlet energy of y.
-double conformal_area(const PipelineResult& r) {
-  Eigen::VectorXd loop_values(r.basis.size());
-  for (int i = 0; i < r.basis.size(); ++i) {
-    loop_values[i] = r.form.y[r.refined_connectivity.loops()[r.basis.loop(i)].front()];
+double conformal_area(const FormSolution& s) {
+  Eigen::VectorXd loop_values(s.basis.size());
+  for (int i = 0; i < s.basis.size(); ++i) {
+    loop_values[i] = s.form.y[s.connectivity.loops()[s.basis.loop(i)].front()];
   }
-  return loop_values.dot(r.basis.capacity * loop_values);
+  return loop_values.dot(s.basis.capacity * loop_values);
+}
+
+// Integral of 1 / edge^2 over the triangles: the number of quads if `size` were 1.
+double wanted_quads(const TriangleSurface& surface, const std::vector<int>& parent_face,
+                    const std::vector<double>& edge) {
+  double sum = 0.0;
+  for (std::size_t f = 0; f < parent_face.size(); ++f) {
+    const double area = 0.5 * doubled_area_vector(surface, static_cast<int>(f)).norm();
+    sum += area / (edge[parent_face[f]] * edge[parent_face[f]]);
+  }
+  return sum;
 }
 
 // Number of quads before rounding, if each cylinder is as dense around as along.
@@ -126,37 +171,87 @@ double expected_quads(const std::vector<Cylinder>& cylinders,
   return sum;
 }
 
-// Integers such that quads of edge `size` would cover the area of the surface.
+// Integers such that quads of the target sizes would cover the area of the surface.
 void find_numbers(PipelineResult& r) {
-  const double area = total_area(r.surface);
-  if (!r.options.size) r.options.size = std::sqrt(area / default_quad_count);
-  const double size_in_plane = *r.options.size * std::sqrt(conformal_area(r) / area);
-  r.spacing = space_rows(r.refined.surface, r.refined_connectivity, r.form, r.scale_factor,
-                         r.foliation.cylinders, {*r.options.size, size_in_plane, r.options.relax});
-  const double wanted = area / (*r.options.size * *r.options.size);
+  const FormSolution& s = r.solution;
+  const std::vector<double> edge = face_means(r.surface, r.relative_edge);
+  std::vector<int> faces(edge.size());
+  std::iota(faces.begin(), faces.end(), 0);
+  if (!r.options.size) {
+    r.options.size = std::sqrt(wanted_quads(r.surface, faces, edge) / default_quad_count);
+  }
+  const double wanted =
+      wanted_quads(s.refined.surface, s.refined.parent_face, edge) / square(*r.options.size);
+  const double size_in_plane = std::sqrt(conformal_area(s) / wanted);
+  r.spacing = space_rows(s.refined.surface, s.connectivity, s.form, s.scale_factor, s.size_ratio,
+                         r.foliation.cylinders, {size_in_plane, r.options.relax});
   const double factor = std::sqrt(wanted / expected_quads(r.foliation.cylinders, r.spacing));
   for (RowSpacing& spacing : r.spacing) {
     for (double& rows : spacing.rows) rows *= factor;
   }
   QuantiseOptions options;
   options.size = size_in_plane;
-  r.numbers = quantise(r.foliation.cylinders, r.foliation.strips, r.spacing, options);
+  for (std::size_t i = 0; i < r.poles.size(); ++i) {
+    options.poles.push_back(s.first_pole() + static_cast<int>(i));
+  }
+  r.numbers = quantise(r.foliation, r.spacing, options);
+}
+
+// The conformal quads with their poles closed. \returns the places of all vertices.
+std::vector<SurfacePoint> close_poles(PipelineResult& r, const SurfaceProjector& projector) {
+  const FormSolution& s = r.solution;
+  r.quads = r.conformal.mesh;
+  std::vector<SurfacePoint> places;
+  for (std::size_t v = 0; v < r.conformal.face.size(); ++v) {
+    places.push_back({s.refined.parent_face[r.conformal.face[v]], r.quads.points[v]});
+  }
+  std::vector<double> spacing;
+  for (std::size_t q = 0; q < r.conformal.row_height.size(); ++q) {
+    spacing.push_back(r.conformal.row_height[q] / r.conformal.column_width[q]);
+  }
+  for (std::size_t i = 0; i < s.disks.size(); ++i) {
+    r.pole_caps.push_back(close_pole(r.quads, places, s.first_pole() + static_cast<int>(i),
+                                     s.disks[i].center, s.disk_faces[i], spacing, r.surface,
+                                     projector));
+  }
+  return places;
+}
+
+// Target edge length at points of the surface.
+std::vector<double> target_edges(const PipelineResult& r, const std::vector<SurfacePoint>& places) {
+  std::vector<double> targets;
+  targets.reserve(places.size());
+  for (const SurfacePoint& place : places) {
+    const Vec3 w = barycentric_coordinates(r.surface, place);
+    const auto& [a, b, c] = r.surface.triangles[place.face];
+    targets.push_back(*r.options.size * (w[0] * r.relative_edge[a] + w[1] * r.relative_edge[b] +
+                                         w[2] * r.relative_edge[c]));
+  }
+  return targets;
 }
 
 // Target size per quad: its conformal size, drawn towards the size asked for by `relax`.
 std::vector<QuadSize> target_sizes(const PipelineResult& r) {
-  const double size = *r.options.size;
-  const auto target = [&](double conformal) {
-    const double ratio =
-        std::clamp(conformal / size, 1.0 / greatest_size_ratio, greatest_size_ratio);
-    return size * std::pow(ratio, 1.0 - r.options.relax);
-  };
   std::vector<QuadSize> targets;
-  targets.reserve(r.conformal.mesh.quads.size());
-  for (std::size_t q = 0; q < r.conformal.mesh.quads.size(); ++q) {
+  targets.reserve(r.quads.quads.size());
+  for (std::size_t q = 0; q < r.quads.quads.size(); ++q) {
+    double wanted = 0.0;
+    for (const int v : r.quads.quads[q]) wanted += 0.25 * r.target_edge[v];
+    const auto target = [&](double conformal) {
+      const double ratio =
+          std::clamp(conformal / wanted, 1.0 / greatest_size_ratio, greatest_size_ratio);
+      return wanted * std::pow(ratio, 1.0 - r.options.relax);
+    };
+    if (q >= r.conformal.mesh.quads.size()) {
+      const auto after =
+          std::find_if(r.pole_caps.rbegin(), r.pole_caps.rend(),
+                       [&](const PoleCap& c) { return c.first_quad <= static_cast<int>(q); });
+      targets.push_back({target(after->mean_edge), target(after->mean_edge)});
+      continue;
+    }
     double scale = 0.0;
     for (const int v : r.conformal.mesh.quads[q]) {
-      scale += 0.25 * r.scale_factor[r.conformal.face[v]];
+      scale += 0.25 * r.solution.scale_factor[r.conformal.face[v]];
     }
     targets.push_back(
         {target(r.conformal.column_width[q] / scale), target(r.conformal.row_height[q] / scale)});
@@ -164,15 +259,14 @@ std::vector<QuadSize> target_sizes(const PipelineResult& r) {
   return targets;
 }
 
-std::vector<SurfacePoint> relax_quads(PipelineResult& r) {
-  r.quads = r.conformal.mesh;
+std::vector<SurfacePoint> relax_quads(PipelineResult& r, const SurfaceProjector& projector) {
+  std::vector<SurfacePoint> places = close_poles(r, projector);
+  r.target_edge = target_edges(r, places);
   std::vector<int> face;
-  face.reserve(r.conformal.face.size());
-  for (const int f : r.conformal.face) face.push_back(r.refined.parent_face[f]);
+  face.reserve(places.size());
+  for (const SurfacePoint& place : places) face.push_back(place.face);
   r.relaxation = relax(r.quads, face, target_sizes(r), r.surface, r.connectivity);
-  std::vector<SurfacePoint> places;
-  places.reserve(face.size());
-  for (std::size_t v = 0; v < face.size(); ++v) places.push_back({face[v], r.quads.points[v]});
+  for (std::size_t v = 0; v < face.size(); ++v) places[v] = {face[v], r.quads.points[v]};
   return places;
 }
 
@@ -180,7 +274,7 @@ std::vector<SurfacePoint> relax_quads(PipelineResult& r) {
 double mean_radius(const PipelineResult& r) {
   double area_sum = 0.0;
   double sum = 0.0;
-  for (std::size_t q = 0; q < r.quads.quads.size();) {
+  for (std::size_t q = 0; q < r.conformal.mesh.quads.size();) {
     const int around = r.numbers.around(r.foliation.strips, r.quads.cylinder[q]);
     double length = 0.0;
     double area = 0.0;
@@ -210,13 +304,14 @@ std::vector<Vec3> find_directions(PipelineResult& r, const std::vector<SurfacePo
   return directions;
 }
 
-void extrude_wall(PipelineResult& r, std::vector<SurfacePoint> places) {
+void extrude_wall(PipelineResult& r, std::vector<SurfacePoint> places,
+                  const SurfaceProjector& projector) {
   if (!r.options.thickness) r.options.thickness = default_thickness_ratio * mean_radius(r);
   std::vector<Vec3> directions = find_directions(r, places);
-  const SurfaceProjector projector(r.surface, r.connectivity);
   r.polishing = polish(r.quads, places, directions, projector,
                        {*r.options.thickness, r.options.layers, r.options.growth});
-  r.quad_quality = quad_quality(r.quads, *r.options.size);
+  r.target_edge = target_edges(r, places);
+  r.quad_quality = quad_quality(r.quads, r.target_edge);
   std::vector<std::string> names;
   for (const Opening& opening : r.openings) names.push_back(opening.name);
   ExtrudeOptions options;
@@ -226,74 +321,40 @@ void extrude_wall(PipelineResult& r, std::vector<SurfacePoint> places) {
   r.wall = extrude(r.quads, directions, names, options);
 }
 
-void collect_warnings(PipelineResult& r) {
-  for (const Opening& opening : r.openings) {
-    if (opening.plane.is_planar()) continue;
-    r.warnings.push_back(fmt::format(
-        "{} at ({:.6g}, {:.6g}, {:.6g}) is not planar (off by {:.3g}): its end ring is not flat",
-        opening.name, opening.plane.center.x(), opening.plane.center.y(), opening.plane.center.z(),
-        opening.plane.deviation));
-  }
-  if (r.refined.negative_edges > 0) {
-    r.warnings.push_back(
-        fmt::format("{} edges could not be made Delaunay: the triangles are very "
-                    "distorted; remesh the surface",
-                    r.refined.negative_edges));
-  }
-  if (r.quad_quality.off_size_area_fraction > 0.1) {
-    r.warnings.push_back(
-        fmt::format("{:.0f} % of the area lies in quads more than 2x off the size asked for",
-                    100.0 * r.quad_quality.off_size_area_fraction));
-  }
-  const double missing_area = 1.0 - r.quad_quality.area / total_area(r.surface);
-  if (missing_area > noticeable_missing_area) {
-    const auto corners = corners_of(r.quads, r.quad_quality.largest_quad);
-    r.warnings.push_back(fmt::format(
-        "the quads miss {:.1f} % of the surface's area: the tip of a blind region (an aneurysm's "
-        "dome) is cut off; the largest quad, at ({:.6g}, {:.6g}, {:.6g}), is {:.3g} wide",
-        100.0 * missing_area, corners[0].x(), corners[0].y(), corners[0].z(),
-        std::sqrt(0.5 * doubled_area_vector(corners).norm())));
-  }
-  if (r.wall.reduced_area_fraction > 0.0) {
-    const Vec3& at = r.quads.points[r.wall.worst_vertex];
-    r.warnings.push_back(fmt::format(
-        "the wall is thinner than asked on {:.3g} % of the area, least at ({:.6g}, {:.6g}, "
-        "{:.6g}): {:.4g} instead of {:.4g}",
-        100.0 * r.wall.reduced_area_fraction, at.x(), at.y(), at.z(), r.wall.thickness_min,
-        *r.options.thickness));
-  }
-}
-
 }  // namespace
+
+std::string loop_name(const PipelineResult& result, int loop) {
+  const int first_pole = result.solution.first_pole();
+  return loop < first_pole ? result.openings[loop].name
+                           : fmt::format("pole_{}", loop - first_pole + 1);
+}
 
 PipelineResult run_pipeline(const TriangleSurface& surface, const PipelineOptions& options,
                             const ProgressCallback& progress) {
   check_options(options);
   PipelineResult r;
   r.options = options;
-  StageClock clock(progress, 8);
+  StageClock clock(progress, 6);
   clock.begin("check");
   CheckResult check = check_surface(surface);
   r.surface = std::move(check.surface);
   r.warnings = std::move(check.notes);
-  clock.begin("refine");
-  refine(r, find_openings(r));
-  clock.begin("forms");
-  const Eigen::VectorXd star = star1(r.refined.surface, r.refined_connectivity);
-  r.basis = holomorphic_basis(r.refined_connectivity, star);
-  clock.begin("optimum");
+  find_openings(r);
+  clock.begin("form");
+  find_relative_edges(r);
   find_form(r);
   clock.begin("foliation");
-  r.foliation = foliate(r.refined_connectivity, r.form);
+  r.foliation = foliate(r.solution.connectivity, r.solution.form);
   clock.begin("quads");
   find_numbers(r);
-  r.conformal = extract_quads(r.refined.surface, r.refined_connectivity, r.form, r.foliation,
-                              r.spacing, r.numbers);
+  r.conformal = extract_quads(r.solution.refined.surface, r.solution.connectivity, r.solution.form,
+                              r.foliation, r.spacing, r.numbers);
   clock.begin("relax");
-  std::vector<SurfacePoint> places = relax_quads(r);
+  const SurfaceProjector projector(r.surface, r.connectivity);
+  std::vector<SurfacePoint> places = relax_quads(r, projector);
   clock.begin("wall");
-  extrude_wall(r, std::move(places));
-  collect_warnings(r);
+  extrude_wall(r, std::move(places), projector);
+  add_warnings(r);
   clock.end();
   r.times = clock.times();
   return r;

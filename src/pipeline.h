@@ -5,16 +5,15 @@
 #include <vector>
 
 #include "core/progress.h"
-#include "dec/delaunay.h"
 #include "foliation/foliation.h"
 #include "foliation/row_spacing.h"
 #include "hex/directions.h"
 #include "hex/extrude.h"
 #include "hex/polish.h"
-#include "holomorphic/basis.h"
-#include "holomorphic/form.h"
-#include "holomorphic/optimum.h"
+#include "holomorphic/poles.h"
+#include "holomorphic/solution.h"
 #include "quad/extract.h"
+#include "quad/pole_caps.h"
 #include "quad/quality.h"
 #include "quad/quantise.h"
 #include "quad/relax.h"
@@ -23,12 +22,24 @@
 
 namespace hexwall {
 
+/// Where extra singularities go.
+struct PoleRequest {
+  enum class Mode { automatic, off, count, places };
+  Mode mode = Mode::automatic;
+  int count = 0;             ///< with `count`: as many, wherever they help most
+  std::vector<Vec3> places;  ///< with `places`: at the points of the surface nearest to these
+};
+
 struct PipelineOptions {
-  std::optional<double> size;       ///< target edge length; default sqrt(area / 20000)
+  std::optional<double> size;   ///< target edge length; default: 20000 quads
+  bool size_by_radius = false;  ///< target edges proportional to the vessel's local radius, `size`
+                                ///< on the mean over the surface
+  std::vector<double> size_field;   ///< #V factors on the target edge length; empty: 1 everywhere
   std::optional<double> thickness;  ///< of the wall; default 10 % of the mean vessel radius
   int layers = 3;
   double growth = 1.0;
   double relax = 0.5;  ///< 0 conformal sizes … 1 even sizes
+  PoleRequest poles;
 };
 
 /// A boundary loop of the input, the longest one first.
@@ -44,17 +55,16 @@ struct PipelineResult {
   TriangleSurface surface;  ///< the input, wound outward
   Connectivity connectivity;
   std::vector<Opening> openings;
-  DelaunaySurface refined;
-  Connectivity refined_connectivity;
-  HolomorphicBasis basis;
-  OptimumResult optimum;
-  HolomorphicForm form;
-  std::vector<double> scale_factor;  ///< |grad y| of each triangle of `refined`
+  std::vector<double> relative_edge;  ///< #V target edge length over `options.size`
+  FormSolution solution;              ///< its loops are the openings, then the poles
+  std::vector<PoleStep> poles;
   Foliation foliation;
   std::vector<RowSpacing> spacing;
   Quantisation numbers;
-  ExtractResult conformal;  ///< quads at their conformal places
-  QuadMesh quads;           ///< after relaxation and polishing
+  ExtractResult conformal;  ///< quads at their conformal places, poles open
+  std::vector<PoleCap> pole_caps;
+  QuadMesh quads;                   ///< poles closed, after relaxation and polishing
+  std::vector<double> target_edge;  ///< #V of `quads`
   RelaxResult relaxation;
   int smoothed_directions = 0;  ///< quad vertices not extruded along the surface's normal
   PolishResult polishing;
@@ -63,6 +73,9 @@ struct PipelineResult {
   std::vector<std::string> warnings;
   std::vector<StageTime> times;
 };
+
+/// Name of a loop of `result.solution`: of its opening, or pole_1, pole_2, …
+std::string loop_name(const PipelineResult& result, int loop);
 
 /// From a vessel surface to its hexahedral wall.
 /// \throws UsageError for options out of range, GeometryError, TopologyError for surfaces that are

@@ -20,13 +20,43 @@ Json vector_json(const Vec3& p) {
   return Json::array({p.x(), p.y(), p.z()});
 }
 
+std::string poles_text(const PoleRequest& poles) {
+  switch (poles.mode) {
+    case PoleRequest::Mode::automatic:
+      return "auto";
+    case PoleRequest::Mode::off:
+      return "off";
+    case PoleRequest::Mode::count:
+      return std::to_string(poles.count);
+    default:
+      return "places";
+  }
+}
+
+Json poles_json(const PipelineResult& r) {
+  Json poles = Json::array();
+  for (std::size_t i = 0; i < r.poles.size(); ++i) {
+    const PoleStep& pole = r.poles[i];
+    poles.push_back({{"center", vector_json(pole.disk.center.position)},
+                     {"radius", pole.disk.radius},
+                     {"quads_around", r.pole_caps[i].around},
+                     {"energy_before", pole.energy_before},
+                     {"energy_after", pole.energy_after},
+                     {"off_size_area_fraction_before", pole.off_share_before},
+                     {"off_size_area_fraction_after", pole.off_share_after}});
+  }
+  return poles;
+}
+
 Json options_json(const PipelineOptions& options, const std::string& units) {
   return {{"size", *options.size},
           {"thickness", *options.thickness},
           {"layers", options.layers},
           {"growth", options.growth},
           {"relax", options.relax},
-          {"poles", "off"},
+          {"size_by_radius", options.size_by_radius},
+          {"size_field", !options.size_field.empty()},
+          {"poles", poles_text(options.poles)},
           {"units", units}};
 }
 
@@ -72,7 +102,7 @@ Json foliation_json(const PipelineResult& r) {
     circumferences.push_back(c.circumference());
     heights.push_back(c.height());
   }
-  std::vector<double> periods(r.form.periods.begin(), r.form.periods.end());
+  std::vector<double> periods(r.solution.form.periods.begin(), r.solution.form.periods.end());
   return {{"zeros",
            {{"interior", r.foliation.interior_zeros()},
             {"boundary_halves", r.foliation.boundary_half_zeros()},
@@ -149,15 +179,17 @@ nlohmann::ordered_json make_report(const PipelineResult& r, const ReportContext&
   report["hexwall_version"] = version();
   report["options"] = options_json(r.options, context.units);
   report["input"] = input_json(r, context);
-  report["refined"] = {{"vertices", r.refined.surface.points.size()},
-                       {"faces", r.refined.surface.triangles.size()},
-                       {"splits", r.refined.splits},
-                       {"flips", r.refined.flips},
-                       {"negative_edges", r.refined.negative_edges}};
-  report["basis"] = {{"forms", r.basis.size()},
-                     {"error", r.basis.error},
-                     {"factor_nonzeros", r.basis.factor_nonzeros}};
-  report["energy"] = energy_json(r.optimum);
+  report["refined"] = {{"vertices", r.solution.refined.surface.points.size()},
+                       {"faces", r.solution.refined.surface.triangles.size()},
+                       {"splits", r.solution.refined.splits},
+                       {"flips", r.solution.refined.flips},
+                       {"negative_edges", r.solution.refined.negative_edges}};
+  report["basis"] = {{"forms", r.solution.basis.size()},
+                     {"error", r.solution.basis.error},
+                     {"factor_nonzeros", r.solution.basis.factor_nonzeros}};
+  report["energy"] = energy_json(r.solution.optimum);
+  report["energy"]["off_size_area_fraction"] = r.solution.off_size_share;
+  report["poles"] = poles_json(r);
   report.update(foliation_json(r));
   report["quads"] = quads_json(r);
   report["wall"] = wall_json(r);
@@ -175,8 +207,16 @@ std::string summary(const PipelineResult& r, const std::string& units) {
   line("surface", fmt::format("{} vertices, {} triangles, {} openings", r.surface.points.size(),
                               r.surface.triangles.size(), r.openings.size()));
   line("form", fmt::format("energy {:.4f}, basis error {:.1e}, {} zeros, {} cylinders, {} strips",
-                           r.optimum.energy, r.basis.error, 0.5 * r.foliation.doubled_order(),
-                           r.foliation.cylinders.size(), r.foliation.strips.count()));
+                           r.solution.optimum.energy, r.solution.basis.error,
+                           0.5 * r.foliation.doubled_order(), r.foliation.cylinders.size(),
+                           r.foliation.strips.count()));
+  for (const PoleStep& pole : r.poles) {
+    const Vec3& at = pole.disk.center.position;
+    line("pole", fmt::format("at ({:.4g}, {:.4g}, {:.4g}): area more than 2x off in size {:.1f} % "
+                             "-> {:.1f} %, energy {:.3f} -> {:.3f}",
+                             at.x(), at.y(), at.z(), 100.0 * pole.off_share_before,
+                             100.0 * pole.off_share_after, pole.energy_before, pole.energy_after));
+  }
   line("quads", fmt::format("{}, {} irregular vertices, corner angles 90 +- {:.2f} deg, "
                             "min scaled Jacobian {:.3f}",
                             r.quads.quads.size(), r.quad_quality.irregular,

@@ -6,6 +6,7 @@
 // `mesh` reads a vessel surface, runs the pipeline and writes the quad mesh, the hexahedral wall,
 // an OpenFOAM case and a report. `generate` makes surfaces to try it on.
 
+#include <charconv>
 #include <chrono>
 #include <exception>
 #include <filesystem>
@@ -34,6 +35,7 @@
 #include "report.h"
 #include "surface/generate.h"
 #include "surface/read.h"
+#include "surface/read_points.h"
 #include "surface/write.h"
 
 namespace hexwall {
@@ -49,7 +51,8 @@ struct MeshCommand {
   std::string output;
   PipelineOptions pipeline;
   std::string units = "mm";
-  std::string poles = "off";
+  std::string poles = "auto";
+  std::string size_by = "constant";
   std::vector<std::string> write{"vtu", "openfoam"};
   bool write_basis = false;
   int threads = 0;
@@ -83,8 +86,12 @@ CLI::App* add_mesh(CLI::App& app, MeshCommand& c) {
       ->capture_default_str();
   mesh->add_option("--relax", c.pipeline.relax, "Quad sizes: 0 conformal … 1 even")
       ->capture_default_str();
-  mesh->add_option("--poles", c.poles, "Extra singularities in blind sacs")
-      ->check(CLI::IsMember({"off"}))
+  mesh->add_option("--poles", c.poles,
+                   "Extra singularities in blind sacs: auto, off, a number, or a file with a point "
+                   "x y z on each line")
+      ->capture_default_str();
+  mesh->add_option("--size-by", c.size_by, "Target edges: constant, or proportional to the radius")
+      ->check(CLI::IsMember({"constant", "radius"}))
       ->capture_default_str();
   mesh->add_option("--write", c.write, "Hex mesh formats, separated by commas")
       ->delimiter(',')
@@ -131,6 +138,24 @@ void write_results(const MeshCommand& c, const PipelineResult& result, const fs:
   }
 }
 
+PoleRequest pole_request(const std::string& text) {
+  PoleRequest request;
+  int count = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
+  if (text == "auto") {
+    request.mode = PoleRequest::Mode::automatic;
+  } else if (text == "off") {
+    request.mode = PoleRequest::Mode::off;
+  } else if (error == std::errc() && end == text.data() + text.size()) {
+    request.mode = PoleRequest::Mode::count;
+    request.count = count;
+  } else {
+    request.mode = PoleRequest::Mode::places;
+    request.places = read_points(text);
+  }
+  return request;
+}
+
 void run_mesh(const MeshCommand& c, spdlog::logger& log) {
   std::optional<tbb::global_control> limit;
   if (c.threads > 0) {
@@ -143,8 +168,11 @@ void run_mesh(const MeshCommand& c, spdlog::logger& log) {
   ReadResult read;
   context.io_times.push_back({"read", timed([&] { read = read_surface(c.surface); })});
   context.notes = read.notes;
+  PipelineOptions options = c.pipeline;
+  options.poles = pole_request(c.poles);
+  options.size_by_radius = c.size_by == "radius";
   const PipelineResult result = run_pipeline(
-      read.surface, c.pipeline,
+      read.surface, options,
       [&](const std::string& stage, int index, int count) { progress.show(stage, index, count); });
   context.io_times.push_back({"write", timed([&] { write_results(c, result, folder.staging()); })});
   write_output_file(folder.staging() / "report.json", make_report(result, context).dump(2) + "\n");

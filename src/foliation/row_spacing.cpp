@@ -11,8 +11,6 @@ namespace {
 // Samples per cylinder: two a row, and enough that a single tall row sees a varying scale.
 constexpr int fewest_samples = 16;
 constexpr int most_samples = 2000;
-// Root mean square: large quads of a ring count more than its small ones.
-constexpr double stretch_power = 2.0;
 
 double interpolate(const std::vector<double>& from, const std::vector<double>& to, double value) {
   const auto upper = std::upper_bound(from.begin() + 1, from.end() - 1, value);
@@ -22,20 +20,21 @@ double interpolate(const std::vector<double>& from, const std::vector<double>& t
   return (1.0 - t) * to[i] + t * to[i + 1];
 }
 
-// Mean over a level curve, in x, of the power of the map's stretch 1 / |grad y|; its root.
-double mean_stretch(const TriangleSurface& surface, const Connectivity& mesh,
-                    const LevelCurve& curve, const std::vector<double>& scale_factor) {
+// Root mean square over a level curve, in x.
+double mean_size_ratio(const TriangleSurface& surface, const Connectivity& mesh,
+                       const LevelCurve& curve, const std::vector<double>& scale_factor,
+                       const std::vector<double>& size_ratio) {
   double sum = 0.0;
   double total = 0.0;
   for (std::size_t i = 0; i < curve.faces.size(); ++i) {
     const double length =
         (position(surface, mesh, curve.points[i + 1]) - position(surface, mesh, curve.points[i]))
             .norm();
-    const double scale = scale_factor[curve.faces[i]];
-    sum += length * std::pow(scale, 1.0 - stretch_power);
-    total += length * scale;
+    const int f = curve.faces[i];
+    sum += length * scale_factor[f] * size_ratio[f] * size_ratio[f];
+    total += length * scale_factor[f];
   }
-  return std::pow(sum / total, 1.0 / stretch_power);
+  return std::sqrt(sum / total);
 }
 
 }  // namespace
@@ -51,6 +50,7 @@ double RowSpacing::y_of(double row) const {
 std::vector<RowSpacing> space_rows(const TriangleSurface& surface, const Connectivity& mesh,
                                    const HolomorphicForm& form,
                                    const std::vector<double>& scale_factor,
+                                   const std::vector<double>& size_ratio,
                                    const std::vector<Cylinder>& cylinders,
                                    const RowSpacingOptions& options) {
   std::vector<RowSpacing> result(cylinders.size());
@@ -67,8 +67,8 @@ std::vector<RowSpacing> space_rows(const TriangleSurface& surface, const Connect
       double density = 1.0;
       if (options.evenness > 0.0 && cylinder.y_bottom < y && y < cylinder.y_top) {
         const LevelCurve curve = level_curve(mesh, form, cylinder, y);
-        const double stretch = mean_stretch(surface, mesh, curve, scale_factor);
-        density = std::pow(stretch * options.size_in_plane / options.size, options.evenness);
+        const double ratio = mean_size_ratio(surface, mesh, curve, scale_factor, size_ratio);
+        density = std::pow(ratio, options.evenness);
       }
       spacing.y.push_back(cylinder.y_bottom + cylinder.height() * (i + 1) / samples);
       spacing.rows.push_back(spacing.rows.back() + density * conformal_rows / samples);

@@ -18,19 +18,21 @@ struct RowSpacing {
 };
 
 struct RowSpacingOptions {
-  double size = 1.0;           ///< target edge length in space
-  double size_in_plane = 1.0;  ///< the same in the (x, y) plane
+  double size_in_plane = 1.0;  ///< target edge length in the (x, y) plane
   double evenness = 0.5;       ///< 0: rows of equal height in y, squares under the conformal map;
-                          ///< 1: rows of height `size` in space, on the mean of each level curve
+                               ///< 1: rows of the target height in space, on the mean of each level
+                               ///< curve
 };
 
-/// Spreads rows so that they stay even along vessels where the conformal scale varies. The
-/// conformal map's stretch on a level curve is s, the root mean square of 1 / |grad y| in x; rows
-/// are denser by (s * size_in_plane / size)^evenness than conformal ones. Grid lines stay what they
-/// are: level curves and vertical trajectories, at right angles to each other.
+/// Spreads rows so that they stay near their target size along vessels where the conformal scale
+/// varies. With r the root mean square in x, on a level curve, of the size of conformal quads over
+/// their target, rows are denser by r^evenness than conformal ones. Grid lines stay what they are:
+/// level curves and vertical trajectories, at right angles to each other.
+/// \param scale_factor #F |grad y|. \param size_ratio #F size of conformal quads over their target.
 std::vector<RowSpacing> space_rows(const TriangleSurface& surface, const Connectivity& mesh,
                                    const HolomorphicForm& form,
                                    const std::vector<double>& scale_factor,
+                                   const std::vector<double>& size_ratio,
                                    const std::vector<Cylinder>& cylinders,
                                    const RowSpacingOptions& options);
 

@@ -30,6 +30,7 @@ Eigen::Matrix2Xd scaled_gradients(const AreaEnergyInput& input, int f) {
 Eigen::VectorXd parent_areas(const AreaEnergyInput& input) {
   Eigen::VectorXd areas = Eigen::VectorXd::Zero(input.parent_count);
   for (std::size_t f = 0; f < input.parent_face.size(); ++f) {
+    if (input.parent_face[f] < 0) continue;
     areas[input.parent_face[f]] +=
         0.5 * doubled_area_vector(input.surface, static_cast<int>(f)).norm();
   }
@@ -56,17 +57,18 @@ class QuarticEnergy final : public AreaEnergy {
     const int m = monomial_count(n_);
     Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(m, input.parent_count);
     for (std::size_t f = 0; f < input.parent_face.size(); ++f) {
+      if (input.parent_face[f] < 0) continue;
       const Eigen::Matrix2Xd gradients = scaled_gradients(input, static_cast<int>(f));
       auto row = rows.col(input.parent_face[f]);
       for_monomials(n_, [&](int k, int i, int j) {
         row[k] += (i == j ? 1.0 : 2.0) * gradients.col(i).dot(gradients.col(j));
       });
     }
-    const double scale = 1.0 / areas.squaredNorm();
+    const Eigen::VectorXd targets = input.rho.cwiseProduct(areas);
+    const double scale = 1.0 / targets.squaredNorm();
     quadratic_ = Eigen::MatrixXd::Zero(m, m);
     quadratic_.selfadjointView<Eigen::Lower>().rankUpdate(rows, scale);
     quadratic_ = Eigen::MatrixXd(quadratic_.selfadjointView<Eigen::Lower>());
-    const Eigen::VectorXd targets = input.rho.cwiseProduct(areas);
     linear_ = scale * (rows * targets);
     constant_ = scale * targets.squaredNorm();
   }
@@ -109,16 +111,21 @@ class QuarticEnergy final : public AreaEnergy {
 // Keeps the scaled gradients of all triangles, grouped by parent.
 class FacewiseEnergy final : public AreaEnergy {
  public:
-  explicit FacewiseEnergy(const AreaEnergyInput& input)
-      : parent_face_(input.parent_face),
-        gradients_(2 * static_cast<Eigen::Index>(input.parent_face.size()), input.g.cols()) {
-    for (std::size_t f = 0; f < parent_face_.size(); ++f) {
-      gradients_.middleRows<2>(2 * static_cast<Eigen::Index>(f)) =
-          scaled_gradients(input, static_cast<int>(f));
+  explicit FacewiseEnergy(const AreaEnergyInput& input) {
+    std::vector<int> faces;
+    for (std::size_t f = 0; f < input.parent_face.size(); ++f) {
+      if (input.parent_face[f] < 0) continue;
+      faces.push_back(static_cast<int>(f));
+      parent_face_.push_back(input.parent_face[f]);
+    }
+    gradients_.resize(2 * static_cast<Eigen::Index>(faces.size()), input.g.cols());
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+      gradients_.middleRows<2>(2 * static_cast<Eigen::Index>(i)) =
+          scaled_gradients(input, faces[i]);
     }
     const Eigen::VectorXd areas = parent_areas(input);
     targets_ = input.rho.cwiseProduct(areas);
-    scale_ = 1.0 / areas.squaredNorm();
+    scale_ = 1.0 / targets_.squaredNorm();
   }
 
   int size() const override { return static_cast<int>(gradients_.cols()); }

@@ -10,7 +10,7 @@
 namespace hexwall {
 
 /// The area-distortion energy of a holomorphic form, normalised,
-///   E(lambda) = sum_T (|T|_lambda - rho_T |T|)^2 / sum_T |T|^2,
+///   E(lambda) = sum_T (|T|_lambda - rho_T |T|)^2 / sum_T (rho_T |T|)^2,
 /// with |T|_lambda = |T| |grad y|^2, y = sum_i lambda_i g_i: the paper's quartic (4.9), corrected.
 /// T runs over the triangles of the *input* surface, however they were refined.
 class AreaEnergy {
@@ -29,7 +29,8 @@ class AreaEnergy {
 /// What the energy is made of, per triangle.
 struct AreaEnergyInput {
   const TriangleSurface& surface;       ///< refined surface
-  const std::vector<int>& parent_face;  ///< #F triangle of the input in which each one lies
+  const std::vector<int>& parent_face;  ///< #F triangle of the input in which each one lies,
+                                        ///< -1 to leave it out
   int parent_count;                     ///< number of triangles of the input
   const Eigen::MatrixXd& g;             ///< #V x n potentials, one per circumference
   const Eigen::VectorXd& rho;           ///< #parent sizing weight, 1 = uniform

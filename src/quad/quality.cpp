@@ -27,10 +27,11 @@ int count_irregular(const QuadMesh& mesh) {
   return irregular;
 }
 
-std::array<double, 5> edge_quantiles(const QuadMesh& mesh, double target) {
+std::array<double, 5> edge_quantiles(const QuadMesh& mesh, const std::vector<double>& target) {
   std::vector<double> lengths;
   for (const auto& [a, b] : edges_of(mesh)) {
-    lengths.push_back((mesh.points[a] - mesh.points[b]).norm() / target);
+    const double wanted = 0.5 * (target[a] + target[b]);
+    lengths.push_back((mesh.points[a] - mesh.points[b]).norm() / wanted);
   }
   std::sort(lengths.begin(), lengths.end());
   std::array<double, 5> result{};
@@ -79,7 +80,7 @@ std::vector<std::array<int, 2>> edges_of(const QuadMesh& mesh) {
   return edges;
 }
 
-QuadQuality quad_quality(const QuadMesh& mesh, double target) {
+QuadQuality quad_quality(const QuadMesh& mesh, const std::vector<double>& target) {
   QuadQuality result;
   result.irregular = count_irregular(mesh);
   double squares = 0.0;
@@ -93,7 +94,9 @@ QuadQuality quad_quality(const QuadMesh& mesh, double target) {
       squares += off * off;
     }
     const double quad_area = 0.5 * doubled_area_vector(corners).norm();
-    const double side = std::sqrt(quad_area) / target;
+    double wanted = 0.0;
+    for (const int v : mesh.quads[q]) wanted += 0.25 * target[v];
+    const double side = std::sqrt(quad_area) / wanted;
     result.area += quad_area;
     if (quad_area > largest) {
       largest = quad_area;

@@ -28,8 +28,8 @@ struct QuadQuality {
   double off_size_area_fraction = 0.0;  ///< share of the area in quads more than 2x off in length
 };
 
-/// \param target edge length wanted, in the mesh's length unit.
-QuadQuality quad_quality(const QuadMesh& mesh, double target);
+/// \param target #V edge length wanted at each vertex, in the mesh's length unit.
+QuadQuality quad_quality(const QuadMesh& mesh, const std::vector<double>& target);
 
 /// Distinct edges as vertex pairs, the lower number first, in lexicographic order.
 std::vector<std::array<int, 2>> edges_of(const QuadMesh& mesh);

@@ -8,21 +8,38 @@ namespace {
 
 // Circumferences matter more than single strips: an error there is seen all around the vessel.
 constexpr double circumference_weight = 4.0;
-// A circle short of quads is worse than any rounding error.
+// A circle short of quads, or a pole that can't be closed, is worse than any rounding error.
 constexpr double shortage_weight = 1e3;
+constexpr int pole_multiple = 4;
 
 double squared_error(int count, double target) {
   const double difference = count - target;
   return difference * difference / (target + 1.0);
 }
 
+// Strips that start or end on a loop.
+std::vector<int> strips_of_loop(const Foliation& foliation, int loop) {
+  std::vector<int> strips;
+  for (const int a : foliation.graph.components[loop].arcs) {
+    const Arc& arc = foliation.graph.arcs[a];
+    if (arc.has_upper && arc.has_lower) continue;  // leaves a half-zero, inside the surface
+    const auto& crossing = foliation.strips.arc_strips[a];
+    strips.insert(strips.end(), crossing.begin(), crossing.end());
+  }
+  return strips;
+}
+
 class StripRounding {
  public:
-  StripRounding(const std::vector<Cylinder>& cylinders, const Strips& strips,
-                const std::vector<RowSpacing>& spacing, const QuantiseOptions& options)
+  StripRounding(const Foliation& foliation, const std::vector<RowSpacing>& spacing,
+                const QuantiseOptions& options)
       : fewest_(options.fewest_around),
-        cylinders_of_strip_(strips.width.size()),
-        strip_target_(strips.width.size(), 0.0) {
+        cylinders_of_strip_(foliation.strips.width.size()),
+        loops_of_strip_(foliation.strips.width.size()),
+        strip_target_(foliation.strips.width.size(), 0.0) {
+    const std::vector<Cylinder>& cylinders = foliation.cylinders;
+    const Strips& strips = foliation.strips;
+    find_loops(foliation, options.poles);
     for (std::size_t c = 0; c < cylinders.size(); ++c) {
       // As dense around as along, so that quads are square in the (x, y) plane.
       const double height = cylinders[c].height();
@@ -43,10 +60,61 @@ class StripRounding {
   std::vector<int> run() {
     while (improve()) {
     }
+    for (std::size_t loop = 0; loop < is_pole_.size(); ++loop) {
+      if (is_pole_[loop] && excess(static_cast<int>(loop)) != 0) pass_on(static_cast<int>(loop));
+    }
     return across_;
   }
 
  private:
+  void find_loops(const Foliation& foliation, const std::vector<int>& poles) {
+    for (int loop = 0; foliation.graph.components[loop].loop == loop;) {
+      strips_of_loop_.push_back(strips_of_loop(foliation, loop));
+      for (const int s : strips_of_loop_.back()) loops_of_strip_[s].push_back(loop);
+      if (++loop == static_cast<int>(foliation.graph.components.size())) break;
+    }
+    is_pole_.assign(strips_of_loop_.size(), false);
+    for (const int loop : poles) is_pole_[loop] = true;
+  }
+
+  // Quads around a loop beyond the last multiple of four.
+  int excess(int loop) const {
+    int sum = 0;
+    for (const int s : strips_of_loop_[loop]) sum += across_[s];
+    return sum % pole_multiple;
+  }
+
+  // Takes the excess of a pole off the strips along a way to a loop that is no pole, in turns less
+  // and more, so that the poles on the way keep their numbers.
+  void pass_on(int pole) {
+    std::vector<int> arrival(strips_of_loop_.size(), -1);
+    std::vector<int> queue{pole};
+    std::size_t i = 0;
+    while (is_pole_[queue[i]]) {
+      for (const int s : strips_of_loop_[queue[i]]) {
+        for (const int next : loops_of_strip_[s]) {
+          if (next == pole || arrival[next] >= 0) continue;
+          arrival[next] = s;
+          queue.push_back(next);
+        }
+      }
+      ++i;
+    }
+    std::vector<int> way;
+    for (int loop = queue[i]; loop != pole; loop = other_loop(arrival[loop], loop)) {
+      way.push_back(arrival[loop]);
+    }
+    int change = excess(pole) <= pole_multiple / 2 ? -excess(pole) : pole_multiple - excess(pole);
+    for (auto strip = way.rbegin(); strip != way.rend(); ++strip, change = -change) {
+      shift(*strip, across_[*strip] + change >= 1 ? change : change + pole_multiple);
+    }
+  }
+
+  int other_loop(int strip, int loop) const {
+    const std::vector<int>& ends = loops_of_strip_[strip];
+    return ends[0] == loop ? ends[1] : ends[0];
+  }
+
   // A strip is as dense as the cylinders that it crosses, on the mean over its length.
   void set_strip_targets(const std::vector<Cylinder>& cylinders,
                          const std::vector<RowSpacing>& spacing, const std::vector<double>& width,
@@ -119,11 +187,18 @@ class StripRounding {
       const int missing = std::max(0, fewest_ - around_[c]);
       sum += shortage_weight * missing * missing;
     }
+    for (const int loop : loops_of_strip_[strip]) {
+      if (is_pole_[loop])
+        sum += shortage_weight * std::min(excess(loop), pole_multiple - excess(loop));
+    }
     return sum;
   }
 
   int fewest_;
   std::vector<std::vector<int>> cylinders_of_strip_;
+  std::vector<std::vector<int>> strips_of_loop_;
+  std::vector<std::vector<int>> loops_of_strip_;  // where each strip starts and ends
+  std::vector<bool> is_pole_;                     // per loop
   std::vector<double> strip_target_, around_target_;
   std::vector<int> across_, around_;
 };
@@ -144,10 +219,10 @@ long Quantisation::quad_count(const Strips& strips) const {
   return sum;
 }
 
-Quantisation quantise(const std::vector<Cylinder>& cylinders, const Strips& strips,
-                      const std::vector<RowSpacing>& spacing, const QuantiseOptions& options) {
+Quantisation quantise(const Foliation& foliation, const std::vector<RowSpacing>& spacing,
+                      const QuantiseOptions& options) {
   Quantisation result;
-  result.across = StripRounding(cylinders, strips, spacing, options).run();
+  result.across = StripRounding(foliation, spacing, options).run();
   for (const RowSpacing& rows : spacing) {
     result.along.push_back(std::max(1, static_cast<int>(std::lround(rows.wanted()))));
   }

@@ -8,11 +8,13 @@
 namespace hexwall {
 
 struct QuantiseOptions {
-  double size = 1.0;      ///< target edge length in the (x, y) plane
-  int fewest_around = 8;  ///< quads around any cylinder
+  double size = 1.0;       ///< target edge length in the (x, y) plane
+  int fewest_around = 8;   ///< quads around any cylinder
+  std::vector<int> poles;  ///< loops that take a multiple of 4 quads around
 };
 
-/// Integers for strips and cylinders. Any positive choice gives a conforming all-quad mesh.
+/// Integers for strips and cylinders. Any positive choice gives a conforming all-quad mesh; poles
+/// alone ask for more: a square grid closes them.
 struct Quantisation {
   std::vector<int> across;  ///< per strip: quads across, >= 1
   std::vector<int> along;   ///< per cylinder: quads along, >= 1
@@ -22,8 +24,9 @@ struct Quantisation {
 };
 
 /// Rounds strip widths and numbers of rows: a local search over single and paired steps of +-1 on
-/// the sum of squared relative errors of the circumferences (weighted 4:1) and of the strips.
-Quantisation quantise(const std::vector<Cylinder>& cylinders, const Strips& strips,
-                      const std::vector<RowSpacing>& spacing, const QuantiseOptions& options);
+/// the sum of squared relative errors of the circumferences (weighted 4:1) and of the strips. What
+/// poles still lack is then passed on along strips to a loop that is no pole, which always exists.
+Quantisation quantise(const Foliation& foliation, const std::vector<RowSpacing>& spacing,
+                      const QuantiseOptions& options);
 
 }  // namespace hexwall

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <vector>
+
+#include "foliation/foliation.h"
+
+namespace hexwall {
+
+/// Local radius of the vessel at each vertex: the length of the level loop y = const through it
+/// over 2 pi, smoothed along the surface by one implicit step of diffusion over a distance of one
+/// mean radius, so that it passes evenly from a trunk to its branches. #V, in the surface's unit.
+/// Loops of a blind sac are those of the form, which without poles are few and large.
+std::vector<double> local_radius(const TriangleSurface& surface, const Connectivity& mesh,
+                                 const HolomorphicForm& form, const Foliation& foliation);
+
+}  // namespace hexwall

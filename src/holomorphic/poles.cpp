@@ -1,0 +1,325 @@
+#include "holomorphic/poles.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+
+#include <Eigen/Cholesky>
+#include <fmt/format.h>
+
+#include "core/errors.h"
+#include "core/parallel.h"
+#include "dec/laplace.h"
+#include "dec/operators.h"
+#include "holomorphic/energy.h"
+
+namespace hexwall {
+namespace {
+
+// Quads more than this much too large make a region blind, the same factor that counts as off size.
+constexpr double blind_size_ratio = 2.0;
+// The neighbourhood of a charge that its judgement leaves out, relative to the radius of a
+// hemisphere with the blind region's area.
+constexpr double left_out_radius = 0.35;
+// With so many forms all sign patterns of the others are tried for each candidate; above, the
+// charge joins the pattern that was best without it.
+constexpr int exhaustive_forms = 3;
+constexpr int local_rounds = 3;
+constexpr int local_candidates = 12;
+// Radii tried, from the one asked for downwards.
+constexpr double radius_factor = 0.8;
+constexpr int radius_trials = 8;
+// Where nothing is blind, the region of a pole is taken to have this radius, relative to the root
+// of the area of the surface.
+constexpr double least_region = 0.05;
+// A disk's area vector over its area: 0.75 for a cap of a sphere 60 degrees from its centre. Beyond
+// that a flat grid no longer covers it well.
+constexpr double least_flatness = 0.75;
+
+struct BlindRegion {
+  std::vector<int> vertices;
+  double area_share = 0.0;
+  double radius = 0.0;  ///< of the hemisphere of the same area
+};
+
+BlindRegion find_blind_region(const FormSolution& s) {
+  const TriangleSurface& surface = s.refined.surface;
+  std::vector<char> is_blind(surface.points.size(), 0);
+  double blind = 0.0;
+  double total = 0.0;
+  for (int f = 0; f < static_cast<int>(surface.triangles.size()); ++f) {
+    const double area = 0.5 * doubled_area_vector(surface, f).norm();
+    total += area;
+    if (s.size_ratio[f] <= blind_size_ratio) continue;
+    blind += area;
+    for (const int v : surface.triangles[f]) is_blind[v] = 1;
+  }
+  BlindRegion region;
+  region.area_share = blind / total;
+  region.radius = std::sqrt(blind / (2.0 * std::numbers::pi));
+  for (int v = 0; v < static_cast<int>(is_blind.size()); ++v) {
+    if (is_blind[v] != 0 && !s.connectivity.is_boundary_vertex(v)) region.vertices.push_back(v);
+  }
+  return region;
+}
+
+/// Vertices spread over a set, each the farthest from those before, starting from `first`; and the
+/// distance within which every vertex of the set has one of them.
+struct Sample {
+  std::vector<int> vertices;
+  double spacing = 0.0;
+};
+
+Sample farthest_points(const std::vector<Vec3>& points, const std::vector<int>& set, int first,
+                       int count) {
+  Sample sample;
+  std::vector<double> distance(set.size(), std::numeric_limits<double>::max());
+  int next = first;
+  while (static_cast<int>(sample.vertices.size()) < count) {
+    sample.vertices.push_back(next);
+    for (std::size_t i = 0; i < set.size(); ++i) {
+      distance[i] = std::min(distance[i], (points[set[i]] - points[next]).norm());
+    }
+    const auto farthest = std::max_element(distance.begin(), distance.end());
+    sample.spacing = *farthest;
+    if (*farthest <= 0.0) break;
+    next = set[farthest - distance.begin()];
+  }
+  return sample;
+}
+
+/// What a pole at a vertex would give.
+struct Judgement {
+  int vertex = -1;
+  double energy = std::numeric_limits<double>::max();
+  double circumference = 0.0;
+};
+
+class Judge {
+ public:
+  Judge(const FormProblem& problem, const FormSolution& solution, double left_out)
+      : problem_(problem),
+        s_(solution),
+        left_out_(left_out),
+        rho_(sizing_weights(problem.edge)),
+        g_(potentials(solution.basis)),
+        solver_(solution.connectivity, star1(solution.refined.surface, solution.connectivity),
+                boundary()) {}
+
+  Judgement best_of(const std::vector<int>& vertices) const {
+    const int count = static_cast<int>(vertices.size());
+    Eigen::MatrixXd charges = Eigen::MatrixXd::Zero(g_.rows(), count);
+    for (int i = 0; i < count; ++i) charges(vertices[i], i) = 1.0;
+    const Eigen::MatrixXd potentials = charge_potentials(charges, vertices);
+    std::vector<Judgement> judgements(vertices.size());
+    parallel_tasks(vertices.size(), [&](std::size_t i) {
+      judgements[i] = judge(vertices[i], potentials.col(static_cast<Eigen::Index>(i)));
+    });
+    return *std::min_element(
+        judgements.begin(), judgements.end(),
+        [](const Judgement& a, const Judgement& b) { return a.energy < b.energy; });
+  }
+
+ private:
+  std::vector<bool> boundary() const {
+    std::vector<bool> fixed(s_.connectivity.vertex_count());
+    for (int v = 0; v < s_.connectivity.vertex_count(); ++v) {
+      fixed[v] = s_.connectivity.is_boundary_vertex(v);
+    }
+    return fixed;
+  }
+
+  // Unit charges whose flux leaves through the exterior loop alone: the Dirichlet solution u loses
+  // f_i(v) through loop i (its harmonic measure); f Capacity^-1 f(v) brings that back.
+  Eigen::MatrixXd charge_potentials(const Eigen::MatrixXd& charges,
+                                    const std::vector<int>& vertices) const {
+    Eigen::MatrixXd harmonic_measure(s_.basis.size(), charges.cols());
+    for (Eigen::Index i = 0; i < charges.cols(); ++i) {
+      harmonic_measure.col(i) = s_.basis.f.row(vertices[i]).transpose();
+    }
+    const Eigen::MatrixXd u =
+        solver_.solve(charges, Eigen::MatrixXd::Zero(charges.rows(), charges.cols()));
+    return -(u + s_.basis.f * s_.basis.capacity.llt().solve(harmonic_measure));
+  }
+
+  Judgement judge(int vertex, const Eigen::VectorXd& potential) const {
+    Eigen::MatrixXd g(g_.rows(), g_.cols() + 1);
+    g << g_, potential;
+    const std::vector<int> faces = faces_away_from(vertex);
+    const auto face_count = static_cast<int>(problem_.surface.triangles.size());
+    const auto energy = area_energy({s_.refined.surface, faces, face_count, g, rho_});
+    const Descent best = best_descent(*energy);
+    return {vertex, best.energy, std::abs(best.lambda[best.lambda.size() - 1])};
+  }
+
+  // The parent faces, but for those beside the charge.
+  std::vector<int> faces_away_from(int vertex) const {
+    std::vector<int> faces = s_.refined.parent_face;
+    const std::vector<Vec3>& points = s_.refined.surface.points;
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+      for (const int v : s_.refined.surface.triangles[f]) {
+        if ((points[v] - points[vertex]).norm() < left_out_) faces[f] = -1;
+      }
+    }
+    return faces;
+  }
+
+  Descent best_descent(const AreaEnergy& energy) const {
+    const double circumference = 2.0 * std::numbers::pi * left_out_;
+    Descent best;
+    best.energy = std::numeric_limits<double>::max();
+    const auto consider = [&](const Eigen::VectorXd& others, double charge) {
+      Eigen::VectorXd start(others.size() + 1);
+      start << others, charge;
+      Descent descent = descend(energy, start * energy.best_scale(start), max_iterations_);
+      if (descent.energy < best.energy) best = std::move(descent);
+    };
+    for (const Descent& other : s_.optimum.descents) {
+      if (s_.basis.size() > exhaustive_forms && &other != &s_.optimum.descents[s_.optimum.best]) {
+        continue;
+      }
+      consider(other.lambda, circumference);
+      consider(other.lambda, -circumference);
+    }
+    return best;
+  }
+
+  const FormProblem& problem_;
+  const FormSolution& s_;
+  double left_out_;
+  int max_iterations_ = OptimumOptions{}.max_iterations;
+  Eigen::VectorXd rho_;
+  Eigen::MatrixXd g_;
+  LaplaceSolver solver_;
+};
+
+// The vertex of the region where a charge lowers the energy most.
+Judgement best_place(const FormProblem& problem, const FormSolution& s, const BlindRegion& region,
+                     int candidates) {
+  const Judge judge(problem, s, left_out_radius * region.radius);
+  const std::vector<Vec3>& points = s.refined.surface.points;
+  const Sample sample = farthest_points(points, region.vertices, region.vertices[0], candidates);
+  Judgement best = judge.best_of(sample.vertices);
+  double spacing = sample.spacing;
+  for (int round = 0; round < local_rounds; ++round, spacing *= 0.5) {
+    std::vector<int> near;
+    for (const int v : region.vertices) {
+      if ((points[v] - points[best.vertex]).norm() < spacing) near.push_back(v);
+    }
+    const Judgement local =
+        judge.best_of(farthest_points(points, near, best.vertex, local_candidates).vertices);
+    if (local.energy < best.energy) best = local;
+  }
+  return best;
+}
+
+SurfacePoint surface_point(const FormSolution& s, int vertex) {
+  const int h = s.connectivity.outgoing(vertex);
+  return {s.refined.parent_face[Connectivity::face(h)], s.refined.surface.points[vertex]};
+}
+
+bool is_flat(const TriangleSurface& surface, const std::vector<int>& faces) {
+  Vec3 sum = Vec3::Zero();
+  double total = 0.0;
+  for (const int f : faces) {
+    sum += doubled_area_vector(surface, f);
+    total += doubled_area_vector(surface, f).norm();
+  }
+  return sum.norm() >= least_flatness * total;
+}
+
+// y rises from the loop into the surface in some places and falls in others.
+bool has_half_zeros(const FormSolution& s, int loop) {
+  bool rises = false;
+  bool falls = false;
+  for (const int v : s.connectivity.loops()[loop]) {
+    for (int h = s.connectivity.outgoing(v); h >= 0; h = s.connectivity.rotate(h)) {
+      const int u = s.connectivity.tip(h);
+      rises = rises || s.form.y[u] > s.form.y[v];
+      falls = falls || s.form.y[u] < s.form.y[v];
+    }
+  }
+  return rises && falls;
+}
+
+// The largest of a series of disks around a point that gives a good pole.
+std::optional<FormSolution> solve_with_disk(const FormProblem& problem,
+                                            std::vector<SurfaceDisk> disks, SurfaceDisk disk) {
+  std::optional<FormSolution> fallback;
+  disks.push_back(disk);
+  for (int trial = 0; trial < radius_trials; ++trial, disks.back().radius *= radius_factor) {
+    auto solution = solve_form(problem, disks);
+    if (!solution || !is_flat(problem.surface, solution->disk_faces.back())) continue;
+    const int loop = static_cast<int>(solution->connectivity.loops().size()) - 1;
+    if (!has_half_zeros(*solution, loop)) return solution;
+    if (!fallback) fallback = std::move(solution);
+  }
+  return fallback;
+}
+
+// Adds a pole at a vertex, as large as its judgement wants it. False if there is no room.
+bool add_pole(const FormProblem& problem, const Judgement& judgement, double least_gain,
+              PoleResult& result) {
+  const FormSolution& s = result.solution;
+  const double radius = judgement.circumference / (2.0 * std::numbers::pi);
+  auto next = solve_with_disk(problem, s.disks, {surface_point(s, judgement.vertex), radius});
+  if (!next || next->optimum.energy > (1.0 - least_gain) * s.optimum.energy) return false;
+  result.poles.push_back({next->disks.back(), s.optimum.energy, next->optimum.energy,
+                          s.off_size_share, next->off_size_share});
+  result.solution = std::move(*next);
+  return true;
+}
+
+BlindRegion whole_surface(const FormSolution& s) {
+  BlindRegion region = find_blind_region(s);
+  region.radius = std::max(region.radius, least_region * std::sqrt(total_area(s.refined.surface)));
+  region.vertices.clear();
+  for (int v = 0; v < s.connectivity.vertex_count(); ++v) {
+    if (!s.connectivity.is_boundary_vertex(v)) region.vertices.push_back(v);
+  }
+  return region;
+}
+
+}  // namespace
+
+PoleResult place_poles(const FormProblem& problem, FormSolution start, const PoleOptions& options) {
+  PoleResult result{std::move(start), {}};
+  while (static_cast<int>(result.poles.size()) < options.most) {
+    const FormSolution& s = result.solution;
+    BlindRegion region = find_blind_region(s);
+    if (options.only_if_worthwhile && region.area_share < options.least_blind_share) break;
+    if (region.vertices.empty()) region = whole_surface(s);
+    const Judgement best = best_place(problem, s, region, options.candidates);
+    const double least_gain =
+        options.only_if_worthwhile ? options.least_gain : std::numeric_limits<double>::lowest();
+    if (!add_pole(problem, best, least_gain, result)) break;
+  }
+  return result;
+}
+
+PoleResult place_poles_at(const FormProblem& problem, FormSolution start,
+                          const std::vector<Vec3>& places) {
+  PoleResult result{std::move(start), {}};
+  for (const Vec3& place : places) {
+    const FormSolution& s = result.solution;
+    const BlindRegion region = whole_surface(s);
+    const std::vector<Vec3>& points = s.refined.surface.points;
+    const int vertex =
+        *std::min_element(region.vertices.begin(), region.vertices.end(), [&](int a, int b) {
+          return (points[a] - place).squaredNorm() < (points[b] - place).squaredNorm();
+        });
+    const Judge judge(problem, s, left_out_radius * region.radius);
+    if (add_pole(problem, judge.best_of({vertex}), std::numeric_limits<double>::lowest(), result)) {
+      continue;
+    }
+    throw UsageError(fmt::format(
+        "there is no room for a pole at ({:.6g}, {:.6g}, {:.6g}): it is too near an opening or "
+        "another pole, or the surface is folded there",
+        place.x(), place.y(), place.z()));
+  }
+  return result;
+}
+
+}  // namespace hexwall

@@ -1,0 +1,116 @@
+#include "holomorphic/solution.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Geometry>
+
+#include "dec/operators.h"
+#include "holomorphic/energy.h"
+
+namespace hexwall {
+namespace {
+
+double polyline_length(const TriangleSurface& surface, const std::vector<int>& loop) {
+  double length = 0.0;
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    length += (surface.points[loop[(i + 1) % loop.size()]] - surface.points[loop[i]]).norm();
+  }
+  return length;
+}
+
+// Brings the loops of the punctured surface in the order: those of the surface, then the holes.
+// \returns for each of them its number in `mesh`.
+std::vector<int> loop_order(const Connectivity& mesh, const Connectivity& original,
+                            const PuncturedSurface& punctured) {
+  std::vector<int> order(mesh.loops().size(), -1);
+  for (int v = 0; v < static_cast<int>(punctured.original_vertex.size()); ++v) {
+    const int u = punctured.original_vertex[v];
+    if (u >= 0 && original.is_boundary_vertex(u)) {
+      order[original.loop_of_vertex(u)] = mesh.loop_of_vertex(v);
+    }
+  }
+  for (std::size_t i = 0; i < punctured.hole_vertex.size(); ++i) {
+    order[original.loops().size() + i] = mesh.loop_of_vertex(punctured.hole_vertex[i]);
+  }
+  return order;
+}
+
+bool take_out_disks(const FormProblem& problem, FormSolution& s) {
+  auto punctured = puncture(problem.surface, s.disks);
+  if (!punctured) return false;
+  s.refined = make_delaunay(punctured->surface);
+  for (int& f : s.refined.parent_face) f = punctured->parent_face[f];
+  s.disk_faces = std::move(punctured->disk_faces);
+  s.connectivity =
+      Connectivity(static_cast<int>(s.refined.surface.points.size()), s.refined.surface.triangles);
+  // Refinement keeps vertex numbers and loops.
+  s.connectivity.reorder_loops(loop_order(s.connectivity, problem.connectivity, *punctured));
+  return true;
+}
+
+void find_scale_factors(FormSolution& s) {
+  const TriangleSurface& surface = s.refined.surface;
+  s.scale_factor.reserve(surface.triangles.size());
+  for (int f = 0; f < static_cast<int>(surface.triangles.size()); ++f) {
+    const auto& t = surface.triangles[f];
+    Vec3 rotated = Vec3::Zero();
+    for (int k = 0; k < 3; ++k) {
+      rotated += s.form.y[t[k]] * (surface.points[t[(k + 2) % 3]] - surface.points[t[(k + 1) % 3]]);
+    }
+    s.scale_factor.push_back(rotated.norm() / doubled_area_vector(surface, f).norm());
+  }
+}
+
+// As many quads as targets ask for: the integral of (1/edge)^2 equals that of (scale/plane)^2.
+void find_size_ratios(const FormProblem& problem, FormSolution& s) {
+  const TriangleSurface& surface = s.refined.surface;
+  std::vector<double> area;
+  double wanted = 0.0;
+  double conformal = 0.0;
+  double total = 0.0;
+  for (int f = 0; f < static_cast<int>(surface.triangles.size()); ++f) {
+    area.push_back(0.5 * doubled_area_vector(surface, f).norm());
+    const double edge = problem.edge[s.refined.parent_face[f]];
+    wanted += area.back() / (edge * edge);
+    conformal += area.back() * s.scale_factor[f] * s.scale_factor[f];
+    total += area.back();
+  }
+  const double plane = std::sqrt(conformal / wanted);
+  double off = 0.0;
+  for (std::size_t f = 0; f < area.size(); ++f) {
+    const double edge = problem.edge[s.refined.parent_face[f]];
+    s.size_ratio.push_back(plane / (s.scale_factor[f] * edge));
+    if (s.size_ratio.back() > 2.0 || s.size_ratio.back() < 0.5) off += area[f];
+  }
+  s.off_size_share = off / total;
+}
+
+}  // namespace
+
+Eigen::VectorXd sizing_weights(const Eigen::VectorXd& edge) {
+  return edge.cwiseAbs2().cwiseInverse();
+}
+
+std::optional<FormSolution> solve_form(const FormProblem& problem,
+                                       const std::vector<SurfaceDisk>& disks) {
+  FormSolution s;
+  s.disks = disks;
+  if (!take_out_disks(problem, s)) return std::nullopt;
+  s.basis = holomorphic_basis(s.connectivity, star1(s.refined.surface, s.connectivity));
+  const Eigen::VectorXd rho = sizing_weights(problem.edge);
+  const Eigen::MatrixXd g = potentials(s.basis);
+  const auto face_count = static_cast<int>(problem.surface.triangles.size());
+  const auto energy = area_energy({s.refined.surface, s.refined.parent_face, face_count, g, rho});
+  std::vector<double> lengths;
+  for (const auto& loop : s.connectivity.loops()) {
+    lengths.push_back(polyline_length(s.refined.surface, loop));
+  }
+  s.optimum = optimal_form(*energy, lengths, s.basis.exterior);
+  s.form = combine(s.connectivity, s.basis, s.optimum.lambda);
+  find_scale_factors(s);
+  find_size_ratios(problem, s);
+  return s;
+}
+
+}  // namespace hexwall

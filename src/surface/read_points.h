@@ -1,0 +1,15 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "surface/triangle_surface.h"
+
+namespace hexwall {
+
+/// Reads points from a text file: x y z on each line, separated by blanks or commas; what follows a
+/// '#' is a comment. \throws ReadError, naming file and line, if it is missing or has other
+/// content.
+std::vector<Vec3> read_points(const std::filesystem::path& path);
+
+}  // namespace hexwall

@@ -1,0 +1,53 @@
+#include "warnings.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace hexwall {
+namespace {
+
+// Chords of a circle of 16 quads miss 0.6 % of it: more than this is a missing piece of surface.
+constexpr double noticeable_missing_area = 0.02;
+
+}  // namespace
+
+void add_warnings(PipelineResult& r) {
+  for (const Opening& opening : r.openings) {
+    if (opening.plane.is_planar()) continue;
+    r.warnings.push_back(fmt::format(
+        "{} at ({:.6g}, {:.6g}, {:.6g}) is not planar (off by {:.3g}): its end ring is not flat",
+        opening.name, opening.plane.center.x(), opening.plane.center.y(), opening.plane.center.z(),
+        opening.plane.deviation));
+  }
+  if (r.solution.refined.negative_edges > 0) {
+    r.warnings.push_back(
+        fmt::format("{} edges could not be made Delaunay: the triangles are very "
+                    "distorted; remesh the surface",
+                    r.solution.refined.negative_edges));
+  }
+  if (r.quad_quality.off_size_area_fraction > 0.1) {
+    r.warnings.push_back(
+        fmt::format("{:.0f} % of the area lies in quads more than 2x off the size asked for",
+                    100.0 * r.quad_quality.off_size_area_fraction));
+  }
+  const double missing_area = 1.0 - r.quad_quality.area / total_area(r.surface);
+  if (missing_area > noticeable_missing_area) {
+    const auto corners = corners_of(r.quads, r.quad_quality.largest_quad);
+    r.warnings.push_back(fmt::format(
+        "the quads miss {:.1f} % of the surface's area: the tip of a blind region (an aneurysm's "
+        "dome) is cut off; the largest quad, at ({:.6g}, {:.6g}, {:.6g}), is {:.3g} wide",
+        100.0 * missing_area, corners[0].x(), corners[0].y(), corners[0].z(),
+        std::sqrt(0.5 * doubled_area_vector(corners).norm())));
+  }
+  if (r.wall.reduced_area_fraction > 0.0) {
+    const Vec3& at = r.quads.points[r.wall.worst_vertex];
+    r.warnings.push_back(fmt::format(
+        "the wall is thinner than asked on {:.3g} % of the area, least at ({:.6g}, {:.6g}, "
+        "{:.6g}): {:.4g} instead of {:.4g}",
+        100.0 * r.wall.reduced_area_fraction, at.x(), at.y(), at.z(), r.wall.thickness_min,
+        *r.options.thickness));
+  }
+}
+
+}  // namespace hexwall
