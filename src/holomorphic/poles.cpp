@@ -29,8 +29,9 @@ constexpr int exhaustive_forms = 3;
 constexpr int local_rounds = 3;
 constexpr int local_candidates = 12;
 // Radii tried, from the one asked for downwards.
-constexpr double radius_factor = 0.8;
-constexpr int radius_trials = 8;
+constexpr double radius_factor = 0.7;
+constexpr int radius_trials = 5;
+constexpr std::size_t place_trials = 3;
 // Where nothing is blind, the region of a pole is taken to have this radius, relative to the root
 // of the area of the surface.
 constexpr double least_region = 0.05;
@@ -108,18 +109,19 @@ class Judge {
         solver_(solution.connectivity, star1(solution.refined.surface, solution.connectivity),
                 boundary()) {}
 
-  Judgement best_of(const std::vector<int>& vertices) const {
+  /// What poles at these vertices would give, the best one first.
+  std::vector<Judgement> judge(const std::vector<int>& vertices) const {
     const int count = static_cast<int>(vertices.size());
     Eigen::MatrixXd charges = Eigen::MatrixXd::Zero(g_.rows(), count);
     for (int i = 0; i < count; ++i) charges(vertices[i], i) = 1.0;
     const Eigen::MatrixXd potentials = charge_potentials(charges, vertices);
     std::vector<Judgement> judgements(vertices.size());
     parallel_tasks(vertices.size(), [&](std::size_t i) {
-      judgements[i] = judge(vertices[i], potentials.col(static_cast<Eigen::Index>(i)));
+      judgements[i] = judge_one(vertices[i], potentials.col(static_cast<Eigen::Index>(i)));
     });
-    return *std::min_element(
-        judgements.begin(), judgements.end(),
-        [](const Judgement& a, const Judgement& b) { return a.energy < b.energy; });
+    std::stable_sort(judgements.begin(), judgements.end(),
+                     [](const Judgement& a, const Judgement& b) { return a.energy < b.energy; });
+    return judgements;
   }
 
  private:
@@ -144,7 +146,7 @@ class Judge {
     return -(u + s_.basis.f * s_.basis.capacity.llt().solve(harmonic_measure));
   }
 
-  Judgement judge(int vertex, const Eigen::VectorXd& potential) const {
+  Judgement judge_one(int vertex, const Eigen::VectorXd& potential) const {
     Eigen::MatrixXd g(g_.rows(), g_.cols() + 1);
     g << g_, potential;
     const std::vector<int> faces = faces_away_from(vertex);
@@ -195,24 +197,28 @@ class Judge {
   LaplaceSolver solver_;
 };
 
-// The vertex of the region where a charge lowers the energy most.
-Judgement best_place(const FormProblem& problem, const FormSolution& s, const BlindRegion& region,
-                     int candidates) {
+// Vertices of the region where a charge lowers the energy most: the best one, refined locally, then
+// the next best ones of the sample.
+std::vector<Judgement> best_places(const FormProblem& problem, const FormSolution& s,
+                                   const BlindRegion& region, int candidates) {
   const Judge judge(problem, s, left_out_radius * region.radius);
   const std::vector<Vec3>& points = s.refined.surface.points;
   const Sample sample = farthest_points(points, region.vertices, region.vertices[0], candidates);
-  Judgement best = judge.best_of(sample.vertices);
+  std::vector<Judgement> places = judge.judge(sample.vertices);
+  Judgement best = places[0];
   double spacing = sample.spacing;
   for (int round = 0; round < local_rounds; ++round, spacing *= 0.5) {
     std::vector<int> near;
     for (const int v : region.vertices) {
-      if ((points[v] - points[best.vertex]).norm() < spacing) near.push_back(v);
+      if ((points[v] - points[best.vertex]).norm() <= spacing) near.push_back(v);
     }
-    const Judgement local =
-        judge.best_of(farthest_points(points, near, best.vertex, local_candidates).vertices);
-    if (local.energy < best.energy) best = local;
+    const auto local =
+        judge.judge(farthest_points(points, near, best.vertex, local_candidates).vertices);
+    if (local[0].energy < best.energy) best = local[0];
   }
-  return best;
+  places.insert(places.begin(), best);
+  if (places.size() > place_trials) places.resize(place_trials);
+  return places;
 }
 
 SurfacePoint surface_point(const FormSolution& s, int vertex) {
@@ -244,9 +250,11 @@ bool has_half_zeros(const FormSolution& s, int loop) {
   return rises && falls;
 }
 
-// The largest of a series of disks around a point that gives a good pole.
+// The largest of a series of disks around a point that gives a pole without half-zeros; without
+// `strict` else one with half-zeros.
 std::optional<FormSolution> solve_with_disk(const FormProblem& problem,
-                                            std::vector<SurfaceDisk> disks, SurfaceDisk disk) {
+                                            std::vector<SurfaceDisk> disks, SurfaceDisk disk,
+                                            bool strict) {
   std::optional<FormSolution> fallback;
   disks.push_back(disk);
   for (int trial = 0; trial < radius_trials; ++trial, disks.back().radius *= radius_factor) {
@@ -254,18 +262,22 @@ std::optional<FormSolution> solve_with_disk(const FormProblem& problem,
     if (!solution || !is_flat(problem.surface, solution->disk_faces.back())) continue;
     const int loop = static_cast<int>(solution->connectivity.loops().size()) - 1;
     if (!has_half_zeros(*solution, loop)) return solution;
-    if (!fallback) fallback = std::move(solution);
+    if (!strict && !fallback) fallback = std::move(solution);
   }
   return fallback;
 }
 
-// Adds a pole at a vertex, as large as its judgement wants it. False if there is no room.
-bool add_pole(const FormProblem& problem, const Judgement& judgement, double least_gain,
+// Adds a pole at a vertex, as large as its judgement wants it. False if there is no room, or it is
+// not worthwhile.
+bool add_pole(const FormProblem& problem, const Judgement& judgement, const PoleOptions& options,
               PoleResult& result) {
   const FormSolution& s = result.solution;
   const double radius = judgement.circumference / (2.0 * std::numbers::pi);
-  auto next = solve_with_disk(problem, s.disks, {surface_point(s, judgement.vertex), radius});
-  if (!next || next->optimum.energy > (1.0 - least_gain) * s.optimum.energy) return false;
+  auto next = solve_with_disk(problem, s.disks, {surface_point(s, judgement.vertex), radius},
+                              options.only_if_worthwhile);
+  if (!next) return false;
+  const double gain = 1.0 - next->optimum.energy / s.optimum.energy;
+  if (options.only_if_worthwhile && gain < options.least_gain) return false;
   result.poles.push_back({next->disks.back(), s.optimum.energy, next->optimum.energy,
                           s.off_size_share, next->off_size_share});
   result.solution = std::move(*next);
@@ -289,12 +301,15 @@ PoleResult place_poles(const FormProblem& problem, FormSolution start, const Pol
   while (static_cast<int>(result.poles.size()) < options.most) {
     const FormSolution& s = result.solution;
     BlindRegion region = find_blind_region(s);
-    if (options.only_if_worthwhile && region.area_share < options.least_blind_share) break;
-    if (region.vertices.empty()) region = whole_surface(s);
-    const Judgement best = best_place(problem, s, region, options.candidates);
-    const double least_gain =
-        options.only_if_worthwhile ? options.least_gain : std::numeric_limits<double>::lowest();
-    if (!add_pole(problem, best, least_gain, result)) break;
+    if (region.area_share < options.least_blind_share) {
+      if (options.only_if_worthwhile) break;
+      region = whole_surface(s);
+    }
+    const auto places = best_places(problem, s, region, options.candidates);
+    const bool placed = std::any_of(places.begin(), places.end(), [&](const Judgement& place) {
+      return add_pole(problem, place, options, result);
+    });
+    if (!placed) break;
   }
   return result;
 }
@@ -311,9 +326,9 @@ PoleResult place_poles_at(const FormProblem& problem, FormSolution start,
           return (points[a] - place).squaredNorm() < (points[b] - place).squaredNorm();
         });
     const Judge judge(problem, s, left_out_radius * region.radius);
-    if (add_pole(problem, judge.best_of({vertex}), std::numeric_limits<double>::lowest(), result)) {
-      continue;
-    }
+    PoleOptions options;
+    options.only_if_worthwhile = false;
+    if (add_pole(problem, judge.judge({vertex})[0], options, result)) continue;
     throw UsageError(fmt::format(
         "there is no room for a pole at ({:.6g}, {:.6g}, {:.6g}): it is too near an opening or "
         "another pole, or the surface is folded there",

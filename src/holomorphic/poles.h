@@ -19,7 +19,7 @@ struct PoleOptions {
   /// A pole is worthwhile where quads are more than twice too large on this share of the area …
   double least_blind_share = 0.03;
   /// … and if the energy falls by this fraction.
-  double least_gain = 0.15;
+  double least_gain = 0.25;
   int candidates = 40;
 };
 
