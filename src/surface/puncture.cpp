@@ -13,6 +13,8 @@ namespace {
 // radius: the loop then has some 2 pi / 0.15 = 40 vertices, with chords within 0.3 % of the radius.
 constexpr double longest_edge = 0.25;
 constexpr double refined_within = 1.3;
+// A disk takes some hundreds of splits. Far more come from triangles that no splits can mend.
+constexpr int most_splits = 20000;
 // Loop vertices keep this fraction of an edge away from its ends: no needles, and the loop is out
 // of round by less than 0.1 * longest_edge.
 constexpr double split_margin = 0.1;
@@ -24,7 +26,7 @@ class Puncher {
 
   // False if the disk is none.
   bool cut(const SurfaceDisk& disk) {
-    refine(disk);
+    if (!refine(disk)) return false;
     measure(disk);
     const int start = nearest_vertex(disk);
     if (start < 0 || distance_[start] >= 0.0 || !mark_inside(start)) return false;
@@ -61,21 +63,23 @@ class Puncher {
  private:
   bool is_removed(int f) const { return f < static_cast<int>(removed_.size()) && removed_[f] != 0; }
 
-  void refine(const SurfaceDisk& disk) {
+  // False if the boundary comes too near: its edges must stay, which leaves long ones beside them.
+  bool refine(const SurfaceDisk& disk) {
     const auto is_too_long = [&](int h) {
-      if (mesh_.twin(h) < 0 || mesh_.length(h) <= longest_edge * disk.radius) return false;
+      if (mesh_.length(h) <= longest_edge * disk.radius) return false;
       const Vec3 u = disk.center.position - mesh_.point(mesh_.tail(h));
       const Vec3 edge = mesh_.point(mesh_.tip(h)) - mesh_.point(mesh_.tail(h));
       const double t = std::clamp(u.dot(edge) / edge.squaredNorm(), 0.0, 1.0);
       return (u - t * edge).norm() < refined_within * disk.radius;
     };
-    // The longest edge of a triangle first: its halves never get worse angles than half of its own.
     std::vector<int> queue;
     for (int h = 0; h < mesh_.halfedge_count(); ++h) {
       if (!is_removed(h / 3) && is_too_long(h)) queue.push_back(h);
     }
+    int splits = 0;
     for (std::size_t i = 0; i < queue.size(); ++i) {
       if (!is_too_long(queue[i])) continue;
+      if (mesh_.twin(queue[i]) < 0 || ++splits > most_splits) return false;
       mesh_.split(longest_from(queue[i]), 0.5);
       queue.push_back(queue[i]);
       for (const int f : mesh_.faces_at_last_split()) {
@@ -84,9 +88,11 @@ class Puncher {
         }
       }
     }
+    return true;
   }
 
-  // Follows ever longer edges from triangle to triangle, up to one that is longest on both sides.
+  // Follows ever longer edges from triangle to triangle, up to one that is longest on both sides:
+  // halving that one never leaves an angle less than half of what was there.
   int longest_from(int h) const {
     for (;;) {
       int longest = h;

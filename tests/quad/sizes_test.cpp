@@ -1,0 +1,99 @@
+// Target sizes: quads are as large as asked for, everywhere alike or where a field says otherwise.
+
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "pipeline.h"
+#include "support/expect_error.h"
+#include "support/surfaces.h"
+#include "surface/generate.h"
+
+namespace hexwall::test {
+namespace {
+
+PipelineOptions options_of(double size) {
+  PipelineOptions options;
+  options.size = size;
+  options.relax = 1.0;
+  return options;
+}
+
+// Mean quad edge over the target within a slab of the z axis.
+double mean_edge(const PipelineResult& r, double z_low, double z_high) {
+  double sum = 0.0;
+  int count = 0;
+  for (const auto& [a, b] : edges_of(r.quads)) {
+    const Vec3 middle = 0.5 * (r.quads.points[a] + r.quads.points[b]);
+    if (middle.z() < z_low || middle.z() > z_high) continue;
+    sum += (r.quads.points[a] - r.quads.points[b]).norm();
+    ++count;
+  }
+  return sum / count;
+}
+
+TEST(SizeField, OfOneValueIsASize) {
+  const TriangleSurface surface = generate_shape(Shape::bifurcation, 0.25);
+  PipelineOptions options = options_of(0.15);
+  options.size_field.assign(surface.points.size(), 2.0);
+  const PipelineResult twice = run_pipeline(surface, options);
+  const PipelineResult plain = run_pipeline(surface, options_of(0.3));
+  ASSERT_EQ(twice.quads.quads, plain.quads.quads);
+  for (std::size_t v = 0; v < plain.quads.points.size(); ++v) {
+    EXPECT_LT((twice.quads.points[v] - plain.quads.points[v]).norm(), 1e-6);
+  }
+  EXPECT_NEAR(twice.solution.optimum.energy, plain.solution.optimum.energy, 1e-9);
+}
+
+// A tube with a narrow half can have a ring of the same number of quads only: a field that asks for
+// smaller quads in the narrow half is met, and lowers the distortion.
+TEST(SizeField, IsFollowedAlongAVessel) {
+  TriangleSurface surface = cylinder(2.0, 20.0, 48, 100);
+  PipelineOptions options = options_of(0.4);
+  for (Vec3& p : surface.points) {
+    const double wanted = 0.75 + 0.25 * std::tanh(0.5 * (p.z() - 10.0));
+    p = Vec3(wanted * p.x(), wanted * p.y(), p.z());
+    options.size_field.push_back(wanted);
+  }
+  const PipelineResult r = run_pipeline(surface, options);
+  EXPECT_NEAR(mean_edge(r, 1.0, 6.0), 0.5 * 0.4, 0.03);
+  EXPECT_NEAR(mean_edge(r, 14.0, 19.0), 0.4, 0.03);
+  EXPECT_LT(r.solution.optimum.energy, 0.02);
+  EXPECT_GT(run_pipeline(surface, options_of(0.4)).solution.optimum.energy, 0.1);
+  EXPECT_NEAR(r.quad_quality.edge_length_quantiles[2], 1.0, 0.1);
+  EXPECT_EQ(r.quad_quality.off_size_area_fraction, 0.0);
+}
+
+TEST(SizeByRadius, GivesBranchesAndTrunksAsManyQuadsAround) {
+  const TriangleSurface surface = generate_shape(Shape::aaa);
+  PipelineOptions options = options_of(1.5);
+  options.size_by_radius = true;
+  const PipelineResult by_radius = run_pipeline(surface, options);
+  const PipelineResult even = run_pipeline(surface, options_of(1.5));
+  // Quads around the thickest opening over those around the thinnest one.
+  const auto ratio = [](const PipelineResult& r) {
+    const auto around = [&](int loop) {
+      return static_cast<double>(
+          std::count(r.quads.loop_of_vertex.begin(), r.quads.loop_of_vertex.end(), loop));
+    };
+    return around(0) / around(static_cast<int>(r.openings.size()) - 1);
+  };
+  EXPECT_GT(ratio(even), 1.5 * ratio(by_radius));
+  EXPECT_LT(by_radius.solution.optimum.energy, even.solution.optimum.energy + 0.1);
+}
+
+TEST(SizeField, MustBePositiveAndComplete) {
+  const TriangleSurface surface = cylinder(1.0, 4.0, 24, 16);
+  PipelineOptions options = options_of(0.3);
+  options.size_field.assign(surface.points.size(), 1.0);
+  options.size_field[7] = 0.0;
+  expect_error(ExitCode::usage, {"the size field is 0 at ("},
+               [&] { run_pipeline(surface, options); });
+  options.size_field.resize(5);
+  expect_error(ExitCode::usage, {"one value for each vertex"},
+               [&] { run_pipeline(surface, options); });
+}
+
+}  // namespace
+}  // namespace hexwall::test
