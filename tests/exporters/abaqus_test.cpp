@@ -12,6 +12,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "exporters/hex_faces.h"
 #include "support/block_mesh.h"
 #include "support/temporary_folder.h"
 
@@ -89,27 +90,50 @@ TEST(Abaqus, NumbersNodesAndElementsFromOne) {
   }
 }
 
+/// The vertices of the faces of the surface `name`.
+std::multiset<std::multiset<int>> surface_of(const Deck& deck, const HexMesh& mesh,
+                                             const std::string& name) {
+  std::multiset<std::multiset<int>> faces;
+  for (const auto& row : data_of(deck, "*SURFACE,NAME=" + name + ",TYPE=ELEMENT")) {
+    EXPECT_EQ(row.at(1).at(0), 'S');
+    std::multiset<int> face;
+    for (const int corner : kFaces.at(std::stoi(row[1].substr(1)) - 1))
+      face.insert(mesh.hexes.at(std::stoi(row[0]) - 1)[corner - 1]);
+    faces.insert(face);
+  }
+  return faces;
+}
+
+TEST(Abaqus, NumbersTheSixFacesOfAHex) {
+  const TemporaryFolder folder;
+  HexMesh mesh{
+      {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}},
+      {{0, 1, 2, 3, 4, 5, 6, 7}},
+      {0},
+      {0},
+      {},
+      {{"all", {0}}}};
+  for (int i = 0; i < 6; ++i)
+    mesh.patches.push_back({"face_" + std::to_string(i), false, {{hex_face(mesh, 0, i), 0}}});
+  write_abaqus(folder / "a.inp", mesh);
+  const Deck deck = read_deck(folder / "a.inp");
+  for (const BoundaryPatch& patch : mesh.patches)
+    EXPECT_THAT(surface_of(deck, mesh, patch.name), ElementsAre(sorted(patch.faces[0].vertices)));
+}
+
 TEST(Abaqus, SurfacesAndNodeSetsAreThePatches) {
   const TemporaryFolder folder;
   const HexMesh mesh = block_mesh({});
   write_abaqus(folder / "a.inp", mesh);
   const Deck deck = read_deck(folder / "a.inp");
   for (const BoundaryPatch& patch : mesh.patches) {
-    std::multiset<std::multiset<int>> expected, found;
+    std::multiset<std::multiset<int>> expected;
     std::set<int> expected_nodes, nodes;
     for (const BoundaryFace& face : patch.faces) {
       expected.insert(sorted(face.vertices));
       expected_nodes.insert(face.vertices.begin(), face.vertices.end());
     }
-    for (const auto& row : data_of(deck, "*SURFACE,NAME=" + patch.name + ",TYPE=ELEMENT")) {
-      ASSERT_EQ(row.size(), 2U);
-      ASSERT_EQ(row[1][0], 'S');
-      std::multiset<int> face;
-      for (const int corner : kFaces.at(std::stoi(row[1].substr(1)) - 1))
-        face.insert(mesh.hexes.at(std::stoi(row[0]) - 1)[corner - 1]);
-      found.insert(face);
-    }
-    EXPECT_EQ(found, expected) << patch.name;
+    EXPECT_EQ(surface_of(deck, mesh, patch.name), expected) << patch.name;
     for (const auto& row : data_of(deck, "*NSET,NSET=" + patch.name)) {
       EXPECT_LE(row.size(), 16U);
       for (const std::string& node : row) EXPECT_TRUE(nodes.insert(std::stoi(node) - 1).second);

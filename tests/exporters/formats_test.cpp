@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 struct Writer {
   std::string name;
   std::function<void(const fs::path&, const HexMesh&)> write;
-  std::string last_file = "";  ///< below the path, if that is a folder
+  std::string last_file;  ///< below the path, if that is a folder
 };
 
 void PrintTo(const Writer& writer, std::ostream* out) {
@@ -100,11 +100,11 @@ TEST_P(Formats, RefuseABoundaryFaceWithoutAPatch) {
 INSTANTIATE_TEST_SUITE_P(
     , Formats,
     testing::Values(
-        Writer{"Vtu", [](const fs::path& p, const HexMesh& m) { write_vtu(p, m); }},
+        Writer{"Vtu", [](const fs::path& p, const HexMesh& m) { write_vtu(p, m); }, ""},
         Writer{"OpenFoam", [](const fs::path& p, const HexMesh& m) { write_openfoam(p, m, 1e-3); },
                "system/fvSolution"},
-        Writer{"Abaqus", [](const fs::path& p, const HexMesh& m) { write_abaqus(p, m); }},
-        Writer{"Gmsh", [](const fs::path& p, const HexMesh& m) { write_gmsh(p, m); }},
+        Writer{"Abaqus", [](const fs::path& p, const HexMesh& m) { write_abaqus(p, m); }, ""},
+        Writer{"Gmsh", [](const fs::path& p, const HexMesh& m) { write_gmsh(p, m); }, ""},
         Writer{"SvMultiPhysics",
                [](const fs::path& p, const HexMesh& m) { write_svmultiphysics(p, m); },
                "mesh-complete.mesh.vtu"}),
