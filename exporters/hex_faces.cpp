@@ -89,6 +89,17 @@ void join(const HexMesh& mesh, int a, int b, HexFaceValues& neighbours) {
   of_b = a / 6;
 }
 
+void check_boundary(const HexFaceValues& neighbours, const HexFaceValues& patch_of) {
+  for (std::size_t hex = 0; hex < neighbours.size(); ++hex)
+    for (int i = 0; i < 6; ++i) {
+      const bool on_boundary = neighbours[hex][i] < 0;
+      if (on_boundary == (patch_of[hex][i] >= 0)) continue;
+      inconsistent("face " + std::to_string(i) + " of hex " + std::to_string(hex) +
+                   (on_boundary ? " is on the boundary but in no patch"
+                                : " is in a patch but not on the boundary"));
+    }
+}
+
 }  // namespace
 
 std::array<int, 4> hex_face(const HexMesh& mesh, int hex, int face) {
@@ -124,6 +135,17 @@ HexFaceValues neighbours_of_hexes(const HexMesh& mesh) {
           join(mesh, a, b, neighbours);
       }
   return neighbours;
+}
+
+std::vector<std::vector<HexFace>> faces_of_patches(const HexMesh& mesh,
+                                                   const HexFaceValues& neighbours) {
+  const HexFaceValues patch_of = patch_of_hex_faces(mesh);
+  check_boundary(neighbours, patch_of);
+  std::vector<std::vector<HexFace>> faces(mesh.patches.size());
+  for (int hex = 0; hex < hex_count(mesh); ++hex)
+    for (int i = 0; i < 6; ++i)
+      if (const int patch = patch_of[hex][i]; patch >= 0) faces[patch].push_back({hex, i});
+  return faces;
 }
 
 std::vector<int> zone_of_hexes(const HexMesh& mesh) {

@@ -15,6 +15,12 @@ inline constexpr std::array<std::array<int, 4>, 6> kHexFaces{
 /// One value per face of each hex, in the order of `kHexFaces`. #H.
 using HexFaceValues = std::vector<std::array<int, 6>>;
 
+/// A face of a hex, by its place in `kHexFaces`.
+struct HexFace {
+  int hex;
+  int local;
+};
+
 /// Vertices of face `face` of hex `hex`, seen from outside the hex.
 std::array<int, 4> hex_face(const HexMesh& mesh, int hex, int face);
 
@@ -27,6 +33,12 @@ HexFaceValues patch_of_hex_faces(const HexMesh& mesh);
 /// \throw Error(ExitCode::internal) if a vertex index is out of range, if three hexes share a face,
 /// or if two hexes that share a face lie on the same side of it.
 HexFaceValues neighbours_of_hexes(const HexMesh& mesh);
+
+/// Faces of each patch, in the order of the hexes. #patches.
+/// \param neighbours `neighbours_of_hexes(mesh)`
+/// \throw Error(ExitCode::internal) unless the patches are a partition of the boundary faces.
+std::vector<std::vector<HexFace>> faces_of_patches(const HexMesh& mesh,
+                                                   const HexFaceValues& neighbours);
 
 /// Zone of each hex: an index into `mesh.zones`. #H.
 /// \throw Error(ExitCode::internal) unless the zones are a partition of the hexes.

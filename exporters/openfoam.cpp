@@ -1,16 +1,15 @@
 #include "exporters/openfoam.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <utility>
 
 #include "core/errors.h"
 #include "exporters/hex_faces.h"
 #include "exporters/output_file.h"
+#include "exporters/text.h"
 
 namespace hexwall {
 namespace {
@@ -29,42 +28,9 @@ struct FoamFaces {
   int internal = 0;
 };
 
-/// A file of the case: its path below the case folder and its content.
-struct CaseFile {
-  std::string path;
-  std::string text;
-};
-
 [[noreturn]] void inconsistent(const std::string& what) {
   throw Error(ExitCode::internal, "cannot export to OpenFOAM: " + what);
 }
-
-/// Text grown in place; numbers are the shortest that read back to the same value.
-class Text {
- public:
-  explicit Text(std::size_t expected_size) { text_.reserve(expected_size); }
-  Text& operator<<(std::string_view s) {
-    text_.append(s);
-    return *this;
-  }
-  Text& operator<<(char c) {
-    text_.push_back(c);
-    return *this;
-  }
-  Text& operator<<(int value) { return number(value); }
-  Text& operator<<(double value) { return number(value); }
-  std::string take() { return std::move(text_); }
-
- private:
-  template <typename T>
-  Text& number(T value) {
-    char digits[32];
-    const auto end = std::to_chars(std::begin(digits), std::end(digits), value).ptr;
-    text_.append(digits, end);
-    return *this;
-  }
-  std::string text_;
-};
 
 int count(const auto& container) {
   return static_cast<int>(container.size());
@@ -81,8 +47,8 @@ std::string header(std::string_view foam_class, std::string_view location, std::
   return text.take();
 }
 
-CaseFile mesh_file(std::string_view foam_class, std::string_view name, std::string body,
-                   const std::string& note = "") {
+OutputFile mesh_file(std::string_view foam_class, std::string_view name, std::string body,
+                     const std::string& note = "") {
   body.insert(0, header(foam_class, kMeshFolder, name, note));
   return {std::string(kMeshFolder) + '/' + std::string(name), std::move(body)};
 }
@@ -101,39 +67,22 @@ void append_internal_faces(const HexFaceValues& neighbours, FoamFaces& result) {
   result.internal = count(result.faces);
 }
 
-void check_patches(const HexFaceValues& neighbours, const HexFaceValues& patch_of) {
-  for (int hex = 0; hex < count(neighbours); ++hex)
-    for (int i = 0; i < 6; ++i) {
-      const bool on_boundary = neighbours[hex][i] < 0;
-      if (on_boundary == (patch_of[hex][i] >= 0)) continue;
-      inconsistent("face " + std::to_string(i) + " of hex " + std::to_string(hex) +
-                   (on_boundary ? " is on the boundary but in no patch"
-                                : " is in a patch but not on the boundary"));
-    }
-}
-
 /// Boundary faces by patch, and by owner within a patch.
-void append_boundary_faces(const HexFaceValues& patch_of, int patches, FoamFaces& result) {
-  std::vector<std::vector<FoamFace>> of_patch(patches);
-  for (int hex = 0; hex < count(patch_of); ++hex)
-    for (int i = 0; i < 6; ++i)
-      if (const int patch = patch_of[hex][i]; patch >= 0) of_patch[patch].push_back({hex, i, -1});
-  for (const auto& faces : of_patch)
-    result.faces.insert(result.faces.end(), faces.begin(), faces.end());
+void append_boundary_faces(const std::vector<std::vector<HexFace>>& of_patch, FoamFaces& result) {
+  for (const std::vector<HexFace>& faces : of_patch)
+    for (const HexFace& face : faces) result.faces.push_back({face.hex, face.local, -1});
 }
 
 FoamFaces foam_faces(const HexMesh& mesh) {
   const HexFaceValues neighbours = neighbours_of_hexes(mesh);
-  const HexFaceValues patch_of = patch_of_hex_faces(mesh);
-  check_patches(neighbours, patch_of);
   FoamFaces result;
   result.faces.reserve(4 * mesh.hexes.size());
   append_internal_faces(neighbours, result);
-  append_boundary_faces(patch_of, count(mesh.patches), result);
+  append_boundary_faces(faces_of_patches(mesh, neighbours), result);
   return result;
 }
 
-CaseFile points_file(const HexMesh& mesh, double scale) {
+OutputFile points_file(const HexMesh& mesh, double scale) {
   Text text(64 * mesh.points.size() + 64);
   text << count(mesh.points) << "\n(\n";
   for (const Vec3& p : mesh.points)
@@ -142,7 +91,7 @@ CaseFile points_file(const HexMesh& mesh, double scale) {
   return mesh_file("vectorField", "points", text.take());
 }
 
-CaseFile faces_file(const HexMesh& mesh, const FoamFaces& faces) {
+OutputFile faces_file(const HexMesh& mesh, const FoamFaces& faces) {
   Text text(40 * faces.faces.size() + 64);
   text << count(faces.faces) << "\n(\n";
   for (const FoamFace& face : faces.faces) {
@@ -162,8 +111,8 @@ std::string size_note(const HexMesh& mesh, const FoamFaces& faces) {
 }
 
 /// The `owner` or `neighbour` file: `member` of the first `n` faces.
-CaseFile labels_file(std::string_view name, const FoamFaces& faces, int n, int FoamFace::*member,
-                     const std::string& note) {
+OutputFile labels_file(std::string_view name, const FoamFaces& faces, int n, int FoamFace::*member,
+                       const std::string& note) {
   Text text(10 * faces.faces.size() + 64);
   text << n << "\n(\n";
   for (int i = 0; i < n; ++i) text << faces.faces[i].*member << '\n';
@@ -181,7 +130,7 @@ const std::string& checked_word(const std::string& name) {
   return name;
 }
 
-CaseFile boundary_file(const HexMesh& mesh, const FoamFaces& faces) {
+OutputFile boundary_file(const HexMesh& mesh, const FoamFaces& faces) {
   Text text(1024);
   int start = faces.internal;
   text << count(mesh.patches) << "\n(\n";
@@ -195,7 +144,7 @@ CaseFile boundary_file(const HexMesh& mesh, const FoamFaces& faces) {
   return mesh_file("polyBoundaryMesh", "boundary", text.take());
 }
 
-CaseFile zones_file(const HexMesh& mesh) {
+OutputFile zones_file(const HexMesh& mesh) {
   zone_of_hexes(mesh);  // OpenFOAM wants zones that do not overlap
   Text text(10 * mesh.hexes.size() + 1024);
   text << count(mesh.zones) << "\n(\n";
@@ -209,11 +158,11 @@ CaseFile zones_file(const HexMesh& mesh) {
   return mesh_file("regIOobject", "cellZones", text.take());
 }
 
-CaseFile dictionary(std::string_view name, std::string_view body) {
+OutputFile dictionary(std::string_view name, std::string_view body) {
   return {"system/" + std::string(name), header("dictionary", "system", name) + std::string(body)};
 }
 
-void append_system_files(std::vector<CaseFile>& files) {
+void append_system_files(std::vector<OutputFile>& files) {
   files.push_back(dictionary("controlDict", R"(application     checkMesh;
 startFrom       startTime;
 startTime       0;
@@ -233,10 +182,10 @@ snGradSchemes        { default corrected; }
   files.push_back(dictionary("fvSolution", "solvers {}\n"));
 }
 
-std::vector<CaseFile> case_files(const HexMesh& mesh, double metres_per_unit) {
+std::vector<OutputFile> case_files(const HexMesh& mesh, double metres_per_unit) {
   const FoamFaces faces = foam_faces(mesh);
   const std::string note = size_note(mesh, faces);
-  std::vector<CaseFile> files;
+  std::vector<OutputFile> files;
   files.push_back(points_file(mesh, metres_per_unit));
   files.push_back(faces_file(mesh, faces));
   files.push_back(labels_file("owner", faces, count(faces.faces), &FoamFace::owner, note));
@@ -247,30 +196,13 @@ std::vector<CaseFile> case_files(const HexMesh& mesh, double metres_per_unit) {
   return files;
 }
 
-void make_folders(const std::filesystem::path& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) throw WriteError("cannot make folder " + folder.string() + ": " + error.message());
-}
-
 }  // namespace
 
 void write_openfoam(const std::filesystem::path& case_dir, const HexMesh& mesh,
                     double metres_per_unit) {
   if (!std::isfinite(metres_per_unit) || metres_per_unit <= 0)
     inconsistent("the unit of length must be positive");
-  // All text first: an inconsistent mesh must not replace a good case.
-  const std::vector<CaseFile> files = case_files(mesh, metres_per_unit);
-  make_folders(case_dir / kMeshFolder);
-  make_folders(case_dir / "system");
-  try {
-    for (const CaseFile& file : files) write_output_file(case_dir / file.path, file.text);
-  } catch (const WriteError&) {
-    // Half a mesh could be mistaken for a whole one.
-    std::error_code ignored;
-    for (const CaseFile& file : files) std::filesystem::remove(case_dir / file.path, ignored);
-    throw;
-  }
+  write_output_files(case_dir, case_files(mesh, metres_per_unit));
 }
 
 }  // namespace hexwall

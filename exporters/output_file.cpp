@@ -44,6 +44,12 @@ int write_all(const std::filesystem::path& path, std::string_view bytes) {
   return complete ? close_error : write_error;
 }
 
+void make_folder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw WriteError("cannot make folder " + folder.string() + ": " + error.message());
+}
+
 }  // namespace
 
 void write_output_file(const std::filesystem::path& path, std::string_view bytes) {
@@ -54,6 +60,19 @@ void write_output_file(const std::filesystem::path& path, std::string_view bytes
   std::error_code error;
   std::filesystem::rename(temporary.path(), path, error);
   if (error) fail(path, error.value());
+}
+
+void write_output_files(const std::filesystem::path& folder, const std::vector<OutputFile>& files) {
+  try {
+    for (const OutputFile& file : files) {
+      make_folder((folder / file.path).parent_path());
+      write_output_file(folder / file.path, file.bytes);
+    }
+  } catch (const WriteError&) {
+    std::error_code ignored;
+    for (const OutputFile& file : files) std::filesystem::remove(folder / file.path, ignored);
+    throw;
+  }
 }
 
 }  // namespace hexwall

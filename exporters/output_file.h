@@ -1,7 +1,9 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace hexwall {
 
@@ -9,5 +11,17 @@ namespace hexwall {
 /// file in the same folder, which then takes the place of `path`. An older file survives a failure.
 /// \throw WriteError naming the path and the reason: no such folder, no permission, disk full.
 void write_output_file(const std::filesystem::path& path, std::string_view bytes);
+
+/// A file of a folder: its path below the folder and its content.
+struct OutputFile {
+  std::string path;
+  std::string bytes;
+};
+
+/// Writes files that belong together into `folder`, which is made if missing, as are the folders in
+/// the paths. Older files of the same names are replaced.
+/// \throw WriteError if that fails; none of the files is left then, as a part of them could be
+/// mistaken for the whole.
+void write_output_files(const std::filesystem::path& folder, const std::vector<OutputFile>& files);
 
 }  // namespace hexwall

@@ -97,7 +97,7 @@ void add_strings(vtkDataSet* target, const FieldStrings& strings) {
 
 /// Serialises in memory: VTK reports no reason when writing a file fails, `write_output_file` does.
 template <typename Writer>
-void write_xml(const std::filesystem::path& path, vtkDataSet* data) {
+std::string xml_bytes(vtkDataSet* data) {
   vtkNew<Writer> writer;
   writer->SetInputData(data);
   writer->SetDataModeToAppended();
@@ -108,8 +108,8 @@ void write_xml(const std::filesystem::path& path, vtkDataSet* data) {
   writer->SetCompressionLevel(1);
   writer->SetBlockSize(std::size_t{256} << 10);
   writer->WriteToOutputStringOn();
-  if (writer->Write() == 0) throw WriteError("cannot write " + path.string() + ": VTK failed");
-  write_output_file(path, writer->GetOutputString());
+  writer->Write();
+  return writer->GetOutputString();
 }
 
 template <typename Named>
@@ -155,7 +155,7 @@ void CellList::reserve(std::size_t cells, std::size_t points_per_cell) {
   connectivity_.reserve(cells * points_per_cell);
 }
 
-void write_vtp(const std::filesystem::path& path, const PolyData& data) {
+std::string vtp_bytes(const PolyData& data) {
   vtkNew<vtkPolyData> poly;
   poly->SetPoints(to_vtk(data.points));
   poly->SetVerts(to_vtk(data.vertices));
@@ -168,19 +168,28 @@ void write_vtp(const std::filesystem::path& path, const PolyData& data) {
       poly->GetPointData()->SetActiveTCoords(data.texture_coordinates.c_str()) < 0)
     throw Error(ExitCode::internal, "no point array " + data.texture_coordinates);
   for (const FieldStrings& strings : data.strings) add_strings(poly, strings);
-  write_xml<vtkXMLPolyDataWriter>(path, poly);
+  return xml_bytes<vtkXMLPolyDataWriter>(poly);
 }
 
-void write_vtu(const std::filesystem::path& path, const HexMesh& mesh,
-               const std::vector<DataArray>& cell_arrays,
-               const std::vector<DataArray>& point_arrays) {
+std::string vtu_bytes(const HexMesh& mesh, const std::vector<DataArray>& cell_arrays,
+                      const std::vector<DataArray>& point_arrays) {
   vtkNew<vtkUnstructuredGrid> grid;
   grid->SetPoints(to_vtk(mesh.points));
   grid->SetCells(VTK_HEXAHEDRON, hex_cells(mesh));
   add_mesh_data(grid, mesh);
   add_arrays(grid->GetCellData(), cell_arrays, mesh.hexes.size());
   add_arrays(grid->GetPointData(), point_arrays, mesh.points.size());
-  write_xml<vtkXMLUnstructuredGridWriter>(path, grid);
+  return xml_bytes<vtkXMLUnstructuredGridWriter>(grid);
+}
+
+void write_vtp(const std::filesystem::path& path, const PolyData& data) {
+  write_output_file(path, vtp_bytes(data));
+}
+
+void write_vtu(const std::filesystem::path& path, const HexMesh& mesh,
+               const std::vector<DataArray>& cell_arrays,
+               const std::vector<DataArray>& point_arrays) {
+  write_output_file(path, vtu_bytes(mesh, cell_arrays, point_arrays));
 }
 
 }  // namespace hexwall

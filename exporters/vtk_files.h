@@ -68,11 +68,19 @@ void write_vtp(const std::filesystem::path& path, const PolyData& data);
 /// Writes a VTK XML unstructured grid with the given arrays and those of `HexMesh`: `layer`,
 /// `quad`, `zone`, `patch_of_face`, and the texts `patch_names` and `zone_names`;
 /// exporters/README.md says what they mean. Lengths are in the unit of `mesh`. Same input, same
-/// bytes. \throw WriteError if the file cannot be written; nothing half-written stays behind.
+/// bytes.
+/// \throw WriteError if the file cannot be written; nothing half-written stays behind.
 /// \throw Error(ExitCode::internal) if an array's length does not fit the mesh, or the patches or
 /// zones do not.
 void write_vtu(const std::filesystem::path& path, const HexMesh& mesh,
                const std::vector<DataArray>& cell_arrays = {},
                const std::vector<DataArray>& point_arrays = {});
+
+/// The bytes that `write_vtp` writes.
+std::string vtp_bytes(const PolyData& data);
+
+/// The bytes that `write_vtu` writes.
+std::string vtu_bytes(const HexMesh& mesh, const std::vector<DataArray>& cell_arrays = {},
+                      const std::vector<DataArray>& point_arrays = {});
 
 }  // namespace hexwall

@@ -26,7 +26,7 @@
 #include <tbb/global_control.h>
 
 #include "core/errors.h"
-#include "exporters/openfoam.h"
+#include "exporters/formats.h"
 #include "exporters/output_file.h"
 #include "exporters/results.h"
 #include "output_folder.h"
@@ -66,6 +66,12 @@ struct GenerateCommand {
   std::optional<double> edge;
 };
 
+std::vector<std::string> format_names() {
+  std::vector<std::string> names;
+  for (const Format& format : hex_mesh_formats()) names.push_back(format.name);
+  return names;
+}
+
 CLI::App* add_mesh(CLI::App& app, MeshCommand& c) {
   CLI::App* mesh = app.add_subcommand("mesh", "Mesh the wall of a vessel with hexahedra");
   mesh->add_option("SURFACE", c.surface,
@@ -95,7 +101,7 @@ CLI::App* add_mesh(CLI::App& app, MeshCommand& c) {
       ->capture_default_str();
   mesh->add_option("--write", c.write, "Hex mesh formats, separated by commas")
       ->delimiter(',')
-      ->check(CLI::IsMember({"vtu", "openfoam"}))
+      ->check(CLI::IsMember(format_names()))
       ->capture_default_str();
   mesh->add_flag("--write-basis", c.write_basis,
                  "Also write basis.vtp: every basis form as texture coordinates");
@@ -132,9 +138,9 @@ void write_results(const MeshCommand& c, const PipelineResult& result, const fs:
   write_vtp(folder / "critical.vtp", critical_data(result));
   write_vtp(folder / "quads.vtp", quad_data(result));
   if (c.write_basis) write_vtp(folder / "basis.vtp", basis_data(result));
-  if (writes(c, "vtu")) write_wall(folder / "wall.vtu", result);
-  if (writes(c, "openfoam")) {
-    write_openfoam(folder / "openfoam", result.wall.mesh, metres_per_unit.at(c.units));
+  for (const Format& format : hex_mesh_formats()) {
+    if (!writes(c, format.name)) continue;
+    format.write(folder / format.output, result, metres_per_unit.at(c.units));
   }
 }
 

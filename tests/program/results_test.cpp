@@ -147,6 +147,16 @@ TEST_F(Program, WritesItsFiles) {
   for (const auto& [name, bytes] : files) EXPECT_FALSE(bytes.empty()) << name;
 }
 
+TEST_F(Program, WritesTheFormatsAskedFor) {
+  const fs::path output = mesh("out", {"--write", "abaqus,gmsh,svmultiphysics"});
+  for (const char* name : {"wall.inp", "wall.msh", "mesh-complete/mesh-complete.mesh.vtu",
+                           "mesh-complete/mesh-surfaces/loop_2.vtp"}) {
+    EXPECT_TRUE(fs::is_regular_file(output / name)) << name;
+  }
+  EXPECT_FALSE(fs::exists(output / "wall.vtu"));
+  EXPECT_FALSE(fs::exists(output / "openfoam"));
+}
+
 TEST_F(Program, TellsWhatItDid) {
   const fs::path output = mesh("out");
   for (const char* word : {"surface", "quads", "wall", "loop_0", "loop_2", output.c_str()}) {
