@@ -84,7 +84,7 @@ std::vector<double> face_means(const TriangleSurface& surface, const std::vector
 // Radius of the vessel at each vertex over its mean over the surface, from the form of even sizes.
 std::vector<double> relative_radii(const PipelineResult& r) {
   const Eigen::VectorXd even = Eigen::VectorXd::Ones(r.connectivity.face_count());
-  const FormSolution s = *solve_form({r.surface, r.connectivity, even}, {});
+  const FormSolution s = solve_form({r.surface, r.connectivity, even});
   std::vector<double> radii =
       local_radius(s.refined.surface, s.connectivity, s.form, foliate(s.connectivity, s.form));
   radii.resize(r.surface.points.size());  // the refinement's own vertices come after the input's
@@ -123,7 +123,7 @@ void find_form(PipelineResult& r) {
   const Eigen::VectorXd edge = Eigen::Map<const Eigen::VectorXd>(
       of_faces.data(), static_cast<Eigen::Index>(of_faces.size()));
   const FormProblem problem{r.surface, r.connectivity, edge};
-  PoleResult found{*solve_form(problem, {}), {}};
+  PoleResult found{solve_form(problem), {}};
   const PoleRequest& poles = r.options.poles;
   if (poles.mode == PoleRequest::Mode::automatic) {
     found = place_poles(problem, std::move(found.solution), {});

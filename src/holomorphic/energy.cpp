@@ -12,8 +12,8 @@ namespace {
 // Up to here the n^4 coefficients cost less than the triangles they replace.
 constexpr int largest_quartic = 30;
 
-// Gradients of n piecewise linear functions on one triangle, times sqrt(area): 2 x n in a frame of
-// the triangle, so that the column products integrate grad g_i . grad g_j.
+// Gradients of n piecewise linear functions on one triangle, times sqrt(area / rho): 2 x n in a
+// frame of the triangle, so that the column products integrate grad g_i . grad g_j / rho.
 Eigen::Matrix2Xd scaled_gradients(const AreaEnergyInput& input, int f) {
   const auto& [a, b, c] = input.surface.triangles[f];
   const Vec3 u = input.surface.points[b] - input.surface.points[a];
@@ -24,7 +24,7 @@ Eigen::Matrix2Xd scaled_gradients(const AreaEnergyInput& input, int f) {
   Eigen::Matrix2Xd gradients(2, input.g.cols());
   gradients.row(0) = (input.g.row(b) - input.g.row(a)) / length;
   gradients.row(1) = (input.g.row(c) - input.g.row(a) - along * gradients.row(0)) / height;
-  return gradients * std::sqrt(0.5 * length * height);
+  return gradients * std::sqrt(0.5 * length * height / input.rho[input.parent_face[f]]);
 }
 
 Eigen::VectorXd parent_areas(const AreaEnergyInput& input) {
@@ -64,13 +64,12 @@ class QuarticEnergy final : public AreaEnergy {
         row[k] += (i == j ? 1.0 : 2.0) * gradients.col(i).dot(gradients.col(j));
       });
     }
-    const Eigen::VectorXd targets = input.rho.cwiseProduct(areas);
-    const double scale = 1.0 / targets.squaredNorm();
+    const double scale = 1.0 / areas.squaredNorm();
     quadratic_ = Eigen::MatrixXd::Zero(m, m);
     quadratic_.selfadjointView<Eigen::Lower>().rankUpdate(rows, scale);
     quadratic_ = Eigen::MatrixXd(quadratic_.selfadjointView<Eigen::Lower>());
-    linear_ = scale * (rows * targets);
-    constant_ = scale * targets.squaredNorm();
+    linear_ = scale * (rows * areas);
+    constant_ = 1.0;
   }
 
   int size() const override { return n_; }
@@ -123,9 +122,8 @@ class FacewiseEnergy final : public AreaEnergy {
       gradients_.middleRows<2>(2 * static_cast<Eigen::Index>(i)) =
           scaled_gradients(input, faces[i]);
     }
-    const Eigen::VectorXd areas = parent_areas(input);
-    targets_ = input.rho.cwiseProduct(areas);
-    scale_ = 1.0 / targets_.squaredNorm();
+    areas_ = parent_areas(input);
+    scale_ = 1.0 / areas_.squaredNorm();
   }
 
   int size() const override { return static_cast<int>(gradients_.cols()); }
@@ -134,7 +132,7 @@ class FacewiseEnergy final : public AreaEnergy {
     return scale_ * residuals(gradients_ * lambda).squaredNorm();
   }
 
-  // E = sum r_T^2, r_T = |T|_lambda - target; dr_T = 2 sum over T's pieces of G^T (G lambda).
+  // E = sum r_T^2, r_T = |T|_lambda / rho - |T|; dr_T = 2 sum over T's pieces of G^T (G lambda).
   void derivatives(const Eigen::VectorXd& lambda, Eigen::VectorXd& gradient,
                    Eigen::MatrixXd& hessian) const override {
     const Eigen::VectorXd y = gradients_ * lambda;
@@ -144,7 +142,7 @@ class FacewiseEnergy final : public AreaEnergy {
       weights.segment<2>(2 * static_cast<Eigen::Index>(f)).setConstant(r[parent_face_[f]]);
     }
     gradient = 4.0 * scale_ * (gradients_.transpose() * weights.cwiseProduct(y));
-    Eigen::MatrixXd slopes = Eigen::MatrixXd::Zero(targets_.size(), size());
+    Eigen::MatrixXd slopes = Eigen::MatrixXd::Zero(areas_.size(), size());
     for (std::size_t f = 0; f < parent_face_.size(); ++f) {
       const auto row = 2 * static_cast<Eigen::Index>(f);
       slopes.row(parent_face_[f]) +=
@@ -156,7 +154,7 @@ class FacewiseEnergy final : public AreaEnergy {
 
  private:
   Eigen::VectorXd residuals(const Eigen::VectorXd& y) const {
-    Eigen::VectorXd r = -targets_;
+    Eigen::VectorXd r = -areas_;
     for (std::size_t f = 0; f < parent_face_.size(); ++f) {
       r[parent_face_[f]] += y.segment<2>(2 * static_cast<Eigen::Index>(f)).squaredNorm();
     }
@@ -165,7 +163,7 @@ class FacewiseEnergy final : public AreaEnergy {
 
   std::vector<int> parent_face_;
   Eigen::MatrixXd gradients_;
-  Eigen::VectorXd targets_;
+  Eigen::VectorXd areas_;
   double scale_ = 1.0;
 };
 

@@ -10,8 +10,10 @@
 namespace hexwall {
 
 /// The area-distortion energy of a holomorphic form, normalised,
-///   E(lambda) = sum_T (|T|_lambda - rho_T |T|)^2 / sum_T (rho_T |T|)^2,
+///   E(lambda) = sum_T (|T|_lambda / rho_T - |T|)^2 / sum_T |T|^2,
 /// with |T|_lambda = |T| |grad y|^2, y = sum_i lambda_i g_i: the paper's quartic (4.9), corrected.
+/// The sizing weight rho divides rather than multiplies as in the paper: what counts is the error
+/// relative to the size wanted, or large quads would be forgotten over small ones.
 /// T runs over the triangles of the *input* surface, however they were refined.
 class AreaEnergy {
  public:

@@ -26,6 +26,13 @@ constexpr double left_out_radius = 0.35;
 // With so many forms all sign patterns of the others are tried for each candidate; above, the
 // charge joins the pattern that was best without it.
 constexpr int exhaustive_forms = 3;
+// Candidates are compared by their energy on about as many triangles, evenly taken from all: enough
+// to rank them, and the energy of a pole that is placed is computed on all.
+constexpr int judged_triangles = 4000;
+constexpr std::size_t descents_few_forms = 20;
+constexpr std::size_t descents_many_forms = 6;
+// A judgement is some percent off: places are tried that promise this share of the gain asked for.
+constexpr double promising_gain = 0.7;
 constexpr int local_rounds = 3;
 constexpr int local_candidates = 12;
 // Radii tried, from the one asked for downwards.
@@ -104,10 +111,11 @@ class Judge {
       : problem_(problem),
         s_(solution),
         left_out_(left_out),
-        rho_(sizing_weights(problem.edge)),
         g_(potentials(solution.basis)),
         solver_(solution.connectivity, star1(solution.refined.surface, solution.connectivity),
-                boundary()) {}
+                boundary()) {
+    choose_triangles();
+  }
 
   /// What poles at these vertices would give, the best one first.
   std::vector<Judgement> judge(const std::vector<int>& vertices) const {
@@ -150,17 +158,28 @@ class Judge {
     Eigen::MatrixXd g(g_.rows(), g_.cols() + 1);
     g << g_, potential;
     const std::vector<int> faces = faces_away_from(vertex);
-    const auto face_count = static_cast<int>(problem_.surface.triangles.size());
-    const auto energy = area_energy({s_.refined.surface, faces, face_count, g, rho_});
+    const auto energy =
+        area_energy({s_.refined.surface, faces, static_cast<int>(rho_.size()), g, rho_});
     const Descent best = best_descent(*energy);
     return {vertex, best.energy, std::abs(best.lambda[best.lambda.size() - 1])};
   }
 
-  // The parent faces, but for those beside the charge.
+  // Every k-th triangle of the surface is judged by.
+  void choose_triangles() {
+    const auto count = static_cast<int>(problem_.surface.triangles.size());
+    const int step = std::max(1, count / judged_triangles);
+    const Eigen::VectorXd rho = sizing_weights(problem_.edge);
+    rho_.resize((count + step - 1) / step);
+    for (Eigen::Index i = 0; i < rho_.size(); ++i) rho_[i] = rho[i * step];
+    for (const int f : s_.refined.parent_face) faces_.push_back(f % step == 0 ? f / step : -1);
+  }
+
+  // The triangles judged by, but for those beside the charge.
   std::vector<int> faces_away_from(int vertex) const {
-    std::vector<int> faces = s_.refined.parent_face;
+    std::vector<int> faces = faces_;
     const std::vector<Vec3>& points = s_.refined.surface.points;
     for (std::size_t f = 0; f < faces.size(); ++f) {
+      if (faces[f] < 0) continue;
       for (const int v : s_.refined.surface.triangles[f]) {
         if ((points[v] - points[vertex]).norm() < left_out_) faces[f] = -1;
       }
@@ -168,22 +187,39 @@ class Judge {
     return faces;
   }
 
+  // Starts are the minima without the charge, whose flux then leaves through each of the loops in
+  // turn; descents begin at the best of them.
   Descent best_descent(const AreaEnergy& energy) const {
+    struct Start {
+      Eigen::VectorXd lambda;
+      double energy;
+    };
+    std::vector<Start> starts;
+    const int n = s_.basis.size();
+    const auto add = [&](const Eigen::VectorXd& others, double charge, int loop) {
+      Eigen::VectorXd lambda(n + 1);
+      lambda << others, charge;
+      if (loop < n) lambda[loop] -= charge;  // otherwise through the exterior loop
+      lambda *= energy.best_scale(lambda);
+      starts.push_back({lambda, energy.value(lambda)});
+    };
     const double circumference = 2.0 * std::numbers::pi * left_out_;
+    for (const Descent& other : s_.optimum.descents) {
+      if (n > exhaustive_forms && &other != &s_.optimum.descents[s_.optimum.best]) continue;
+      for (int loop = 0; loop <= n; ++loop) {
+        add(other.lambda, circumference, loop);
+        add(other.lambda, -circumference, loop);
+      }
+    }
+    std::stable_sort(starts.begin(), starts.end(),
+                     [](const Start& a, const Start& b) { return a.energy < b.energy; });
     Descent best;
     best.energy = std::numeric_limits<double>::max();
-    const auto consider = [&](const Eigen::VectorXd& others, double charge) {
-      Eigen::VectorXd start(others.size() + 1);
-      start << others, charge;
-      Descent descent = descend(energy, start * energy.best_scale(start), max_iterations_);
+    starts.resize(
+        std::min(starts.size(), n > exhaustive_forms ? descents_many_forms : descents_few_forms));
+    for (std::size_t i = 0; i < starts.size(); ++i) {
+      Descent descent = descend(energy, starts[i].lambda, max_iterations_);
       if (descent.energy < best.energy) best = std::move(descent);
-    };
-    for (const Descent& other : s_.optimum.descents) {
-      if (s_.basis.size() > exhaustive_forms && &other != &s_.optimum.descents[s_.optimum.best]) {
-        continue;
-      }
-      consider(other.lambda, circumference);
-      consider(other.lambda, -circumference);
     }
     return best;
   }
@@ -192,7 +228,8 @@ class Judge {
   const FormSolution& s_;
   double left_out_;
   int max_iterations_ = OptimumOptions{}.max_iterations;
-  Eigen::VectorXd rho_;
+  std::vector<int> faces_;  // #F of the refined surface: number among the judged ones, or -1
+  Eigen::VectorXd rho_;     // of the judged triangles
   Eigen::MatrixXd g_;
   LaplaceSolver solver_;
 };
@@ -258,10 +295,11 @@ std::optional<FormSolution> solve_with_disk(const FormProblem& problem,
   std::optional<FormSolution> fallback;
   disks.push_back(disk);
   for (int trial = 0; trial < radius_trials; ++trial, disks.back().radius *= radius_factor) {
-    auto solution = solve_form(problem, disks);
-    if (!solution || !is_flat(problem.surface, solution->disk_faces.back())) continue;
-    const int loop = static_cast<int>(solution->connectivity.loops().size()) - 1;
-    if (!has_half_zeros(*solution, loop)) return solution;
+    auto punctured = puncture(problem.surface, disks);
+    if (!punctured || !is_flat(problem.surface, punctured->disk_faces.back())) continue;
+    FormSolution solution = solve_form(problem, disks, std::move(*punctured));
+    const int loop = static_cast<int>(solution.connectivity.loops().size()) - 1;
+    if (!has_half_zeros(solution, loop)) return solution;
     if (!strict && !fallback) fallback = std::move(solution);
   }
   return fallback;
@@ -272,6 +310,10 @@ std::optional<FormSolution> solve_with_disk(const FormProblem& problem,
 bool add_pole(const FormProblem& problem, const Judgement& judgement, const PoleOptions& options,
               PoleResult& result) {
   const FormSolution& s = result.solution;
+  if (options.only_if_worthwhile &&
+      judgement.energy > (1.0 - promising_gain * options.least_gain) * s.optimum.energy) {
+    return false;
+  }
   const double radius = judgement.circumference / (2.0 * std::numbers::pi);
   auto next = solve_with_disk(problem, s.disks, {surface_point(s, judgement.vertex), radius},
                               options.only_if_worthwhile);

@@ -36,17 +36,14 @@ std::vector<int> loop_order(const Connectivity& mesh, const Connectivity& origin
   return order;
 }
 
-bool take_out_disks(const FormProblem& problem, FormSolution& s) {
-  auto punctured = puncture(problem.surface, s.disks);
-  if (!punctured) return false;
-  s.refined = make_delaunay(punctured->surface);
-  for (int& f : s.refined.parent_face) f = punctured->parent_face[f];
-  s.disk_faces = std::move(punctured->disk_faces);
+void refine(const FormProblem& problem, PuncturedSurface punctured, FormSolution& s) {
+  s.refined = make_delaunay(punctured.surface);
+  for (int& f : s.refined.parent_face) f = punctured.parent_face[f];
+  s.disk_faces = std::move(punctured.disk_faces);
   s.connectivity =
       Connectivity(static_cast<int>(s.refined.surface.points.size()), s.refined.surface.triangles);
   // Refinement keeps vertex numbers and loops.
-  s.connectivity.reorder_loops(loop_order(s.connectivity, problem.connectivity, *punctured));
-  return true;
+  s.connectivity.reorder_loops(loop_order(s.connectivity, problem.connectivity, punctured));
 }
 
 void find_scale_factors(FormSolution& s) {
@@ -92,11 +89,15 @@ Eigen::VectorXd sizing_weights(const Eigen::VectorXd& edge) {
   return edge.cwiseAbs2().cwiseInverse();
 }
 
-std::optional<FormSolution> solve_form(const FormProblem& problem,
-                                       const std::vector<SurfaceDisk>& disks) {
+FormSolution solve_form(const FormProblem& problem) {
+  return solve_form(problem, {}, *puncture(problem.surface, {}));
+}
+
+FormSolution solve_form(const FormProblem& problem, const std::vector<SurfaceDisk>& disks,
+                        PuncturedSurface punctured) {
   FormSolution s;
   s.disks = disks;
-  if (!take_out_disks(problem, s)) return std::nullopt;
+  refine(problem, std::move(punctured), s);
   s.basis = holomorphic_basis(s.connectivity, star1(s.refined.surface, s.connectivity));
   const Eigen::VectorXd rho = sizing_weights(problem.edge);
   const Eigen::MatrixXd g = potentials(s.basis);

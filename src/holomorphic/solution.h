@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -43,10 +42,12 @@ struct FormSolution {
   }
 };
 
-/// Takes the disks out, refines, computes the basis and finds the form of least energy.
-/// \returns nothing if a disk can't be taken out (see `puncture`).
-std::optional<FormSolution> solve_form(const FormProblem& problem,
-                                       const std::vector<SurfaceDisk>& disks);
+/// Refines, computes the basis and finds the form of least energy.
+FormSolution solve_form(const FormProblem& problem);
+
+/// The same without the disks. \param punctured `problem.surface` without them.
+FormSolution solve_form(const FormProblem& problem, const std::vector<SurfaceDisk>& disks,
+                        PuncturedSurface punctured);
 
 /// Sizing weights rho of the area energy, from relative edge lengths: squared inverse. #F.
 Eigen::VectorXd sizing_weights(const Eigen::VectorXd& edge);

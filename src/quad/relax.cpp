@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 #include <Eigen/Geometry>
 
@@ -134,16 +135,33 @@ class Relaxer {
     });
     const double worst = *std::min_element(before.begin(), before.end());
     std::vector<char> harmful(before.size());
-    for (bool any = true; any;) {
-      parallel_for(before.size(), [&](std::size_t q) {
-        harmful[q] = scaled_jacobian(corners_of(moved_, static_cast<int>(q))) < worst ? 1 : 0;
+    std::vector<int> suspects(before.size());
+    std::iota(suspects.begin(), suspects.end(), 0);
+    while (!suspects.empty()) {
+      parallel_for(suspects.size(), [&](std::size_t i) {
+        harmful[suspects[i]] = scaled_jacobian(corners_of(moved_, suspects[i])) < worst ? 1 : 0;
       });
-      any = false;
-      for (std::size_t q = 0; q < before.size(); ++q) {
+      std::vector<int> undone;
+      for (const int q : suspects) {
         if (harmful[q] == 0) continue;
-        for (const int v : mesh_.quads[q]) any = undo(v) || any;
+        for (const int v : mesh_.quads[q]) {
+          if (undo(v)) undone.push_back(v);
+        }
+      }
+      suspects = quads_around(undone);
+    }
+  }
+
+  std::vector<int> quads_around(const std::vector<int>& vertices) const {
+    std::vector<int> quads;
+    for (const int v : vertices) {
+      for (int i = first_corner_[v]; i < first_corner_[v + 1]; ++i) {
+        quads.push_back(corners_[i] / 4);
       }
     }
+    std::sort(quads.begin(), quads.end());
+    quads.erase(std::unique(quads.begin(), quads.end()), quads.end());
+    return quads;
   }
 
   bool undo(int v) {

@@ -45,6 +45,27 @@ int EditableMesh::split(int h, double t) {
   return p;
 }
 
+// (a, b, c) becomes (a, b, p); (b, c, p) and (c, a, p) are new.
+int EditableMesh::insert(int f, const Vec3& position) {
+  const auto [a, b, c] = surface_.triangles[f];
+  const int p = static_cast<int>(surface_.points.size());
+  const int g = static_cast<int>(surface_.triangles.size());
+  const int bc = twin_[3 * f + 1];
+  const int ca = twin_[3 * f + 2];
+  surface_.points.push_back(position);
+  surface_.triangles[f] = {a, b, p};
+  surface_.triangles.push_back({b, c, p});
+  surface_.triangles.push_back({c, a, p});
+  parent_.insert(parent_.end(), 2, parent_[f]);
+  twin_.resize(twin_.size() + 6, -1);
+  link(3 * g, bc);
+  link(3 * (g + 1), ca);
+  link(3 * f + 1, 3 * g + 2);
+  link(3 * g + 1, 3 * (g + 1) + 2);
+  link(3 * (g + 1) + 1, 3 * f + 2);
+  return p;
+}
+
 // The two faces (a, b, c), (b, a, d) become (d, c, a), (c, d, b).
 void EditableMesh::flip(int h) {
   const int g = twin_[h];

@@ -35,6 +35,9 @@ class EditableMesh {
   int split(int h, double t);
   const std::array<int, 4>& faces_at_last_split() const { return split_faces_; }
 
+  /// Puts a vertex inside triangle `f` and joins it to the three corners. \returns the new vertex.
+  int insert(int f, const Vec3& position);
+
   /// Replaces the diagonal `h` of its two faces by the other one.
   /// \pre twin(h) >= 0, and both faces lie in one plane or the change of shape is wanted.
   void flip(int h);

@@ -18,6 +18,8 @@ constexpr int most_splits = 20000;
 // Loop vertices keep this fraction of an edge away from its ends: no needles, and the loop is out
 // of round by less than 0.1 * longest_edge.
 constexpr double split_margin = 0.1;
+// A centre with a barycentric coordinate below this lies on the edge.
+constexpr double on_edge = 1e-6;
 
 class Puncher {
  public:
@@ -26,10 +28,10 @@ class Puncher {
 
   // False if the disk is none.
   bool cut(const SurfaceDisk& disk) {
-    if (!refine(disk)) return false;
+    const int start = center_vertex(disk);
+    if (start < 0 || !refine(disk)) return false;
     measure(disk);
-    const int start = nearest_vertex(disk);
-    if (start < 0 || distance_[start] >= 0.0 || !mark_inside(start)) return false;
+    if (!mark_inside(start)) return false;
     split_along_circle();
     return remove_inside();
   }
@@ -114,21 +116,20 @@ class Puncher {
     }
   }
 
-  // Corner of the centre's triangle, or of its pieces, that is nearest to the centre; -1 if they
-  // are cut out.
-  int nearest_vertex(const SurfaceDisk& disk) const {
-    int nearest = -1;
-    double least = std::numeric_limits<double>::max();
-    for (std::size_t f = 0; f < mesh_.parent().size(); ++f) {
-      if (mesh_.parent()[f] != disk.center.face || is_removed(static_cast<int>(f))) continue;
-      for (const int v : mesh_.surface().triangles[f]) {
-        const double distance = (mesh_.point(v) - disk.center.position).norm();
-        if (distance >= least) continue;
-        least = distance;
-        nearest = v;
-      }
+  // A vertex at the centre, made if there is none; -1 if the centre has been cut out.
+  int center_vertex(const SurfaceDisk& disk) {
+    for (int f = 0; f < static_cast<int>(mesh_.parent().size()); ++f) {
+      if (mesh_.parent()[f] != disk.center.face || is_removed(f)) continue;
+      const Vec3 w = barycentric_coordinates(mesh_.surface(), {f, disk.center.position});
+      int least = 0;
+      int greatest = 0;
+      if (w.minCoeff(&least) < -on_edge) continue;
+      if (w.maxCoeff(&greatest) > 1.0 - on_edge) return mesh_.surface().triangles[f][greatest];
+      if (w[least] > on_edge) return mesh_.insert(f, disk.center.position);
+      const int h = 3 * f + (least + 1) % 3;  // the side opposite to the corner of no weight
+      return mesh_.twin(h) >= 0 ? mesh_.split(h, w[(least + 2) % 3]) : -1;
     }
-    return nearest;
+    return -1;
   }
 
   // Marks the vertices that edges inside the circle join to `start`. False if one of them lies on

@@ -61,7 +61,7 @@ TEST_P(Energy, IsTheDistortionOfTheAreas) {
     image[h_.refined.parent_face[f]] +=
         piece * test::gradient(h_.surface(), form.y, f).squaredNorm();
   }
-  const double expected = (image - rho_.cwiseProduct(area)).squaredNorm() / area.squaredNorm();
+  const double expected = (image.cwiseQuotient(rho_) - area).squaredNorm() / area.squaredNorm();
   EXPECT_NEAR(quartic_->value(lambda), expected, 1e-9 * expected);
   EXPECT_NEAR(facewise_->value(lambda), expected, 1e-9 * expected);
 }

@@ -19,7 +19,7 @@ struct Vessel {
         edge(Eigen::VectorXd::Ones(mesh.face_count())) {}
   FormProblem problem() const { return {surface, mesh, edge}; }
   PoleResult with_poles(const PoleOptions& options = {}) const {
-    return place_poles(problem(), *solve_form(problem(), {}), options);
+    return place_poles(problem(), solve_form(problem()), options);
   }
 
   TriangleSurface surface;
@@ -66,7 +66,7 @@ TEST(Poles, ComeInABlindSac) {
 
 TEST(Poles, AreReportedWithWhatTheyBring) {
   const Vessel vessel(tube_with_sac());
-  const FormSolution before = *solve_form(vessel.problem(), {});
+  const FormSolution before = solve_form(vessel.problem());
   const PoleResult r = vessel.with_poles();
   ASSERT_FALSE(r.poles.empty());
   double energy = before.optimum.energy;
@@ -103,19 +103,18 @@ TEST(Poles, AreAsManyAsAskedFor) {
 TEST(Poles, GoWhereTheyAreAskedFor) {
   const Vessel vessel(tube_with_sac());
   const Vec3 place(4.0, 0.1, 5.2);
-  const PoleResult r = place_poles_at(vessel.problem(), *solve_form(vessel.problem(), {}), {place});
+  const PoleResult r = place_poles_at(vessel.problem(), solve_form(vessel.problem()), {place});
   ASSERT_EQ(r.poles.size(), 1U);
   double nearest = 1e300;
   for (const Vec3& p : vessel.surface.points) nearest = std::min(nearest, (p - place).norm());
-  EXPECT_NEAR((r.poles[0].disk.center.position - place).norm(), nearest, 1e-12);
+  EXPECT_LE((r.poles[0].disk.center.position - place).norm(), nearest);
 }
 
 TEST(Poles, DoNotFitBesideOneAnother) {
   const Vessel vessel(tube_with_sac());
   const Vec3 place(4.5, 0.0, 5.0);
   expect_error(ExitCode::usage, {"no room for a pole at (4.5, 0, 5)"}, [&] {
-    place_poles_at(vessel.problem(), *solve_form(vessel.problem(), {}),
-                   std::vector<Vec3>(40, place));
+    place_poles_at(vessel.problem(), solve_form(vessel.problem()), std::vector<Vec3>(40, place));
   });
 }
 

@@ -86,7 +86,7 @@ TEST_P(Disk, NamesTheTrianglesThatCoverIt) {
   EXPECT_NEAR(area - rest_of_them, cut_out, 1e-9);
 }
 
-INSTANTIATE_TEST_SUITE_P(Radius, Disk, testing::Values(0.005, 0.03, 0.1, 0.3, 0.45));
+INSTANTIATE_TEST_SUITE_P(Radius, Disk, testing::Values(0.005, 0.03, 0.1, 0.3, 0.33));
 
 TEST(Puncture, KeepsVerticesAndLoopsOfTheSurface) {
   const TriangleSurface surface = cylinder(1.0, 6.0, 40, 30);
