@@ -103,12 +103,17 @@ bool has_finite_triangles(const TriangleSurface& surface) {
   });
 }
 
+bool have_area(const TriangleSurface& surface) {
+  for (int f = 0; f < static_cast<int>(surface.triangles.size()); ++f) {
+    if (!has_area(surface, f)) return false;
+  }
+  return !surface.triangles.empty();
+}
+
 bool is_oriented_manifold(const TriangleSurface& surface) {
-  const auto is_simple = [](const auto& t) { return t[0] != t[1] && t[1] != t[2] && t[2] != t[0]; };
-  if (!std::all_of(surface.triangles.begin(), surface.triangles.end(), is_simple)) return false;
   try {
     Connectivity(static_cast<int>(surface.points.size()), surface.triangles);
-    return !surface.triangles.empty();
+    return true;
   } catch (const TopologyError&) {
     return false;
   }
@@ -161,7 +166,7 @@ RepairResult repair_topology(const TriangleSurface& surface, const RepairOptions
 RepairResult repair_geometry(const TriangleSurface& surface, const RepairOptions& options) {
   check_options(options);
   Repair repair(surface, options);
-  if (!has_finite_triangles(surface) || !is_oriented_manifold(surface)) {
+  if (!has_finite_triangles(surface) || !have_area(surface) || !is_oriented_manifold(surface)) {
     return std::move(repair).result();
   }
   const double tolerance =
@@ -178,7 +183,9 @@ RepairResult repair_geometry(const TriangleSurface& surface, const RepairOptions
   repair.run(RepairStep::intersections,
              [&](State& s) { return repair::resolve_intersections(s, tolerance, is_free); });
   RepairResult result = std::move(repair).result();
-  result.moved = surface_distance(filled, result.surface);
+  if (result.surface.points != filled.points || result.surface.triangles != filled.triangles) {
+    result.moved = surface_distance(filled, result.surface);
+  }
   result.is_free_of_intersections = is_free;
   return result;
 }

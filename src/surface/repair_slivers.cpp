@@ -22,9 +22,8 @@ constexpr double least_gain = 1.1;
 // Cosine by which a triangle may turn: a collapse must not fold the surface.
 constexpr double greatest_turn = 0.5;
 
-// A boundary vertex this close to the line through its neighbours, relative to their distance, adds
-// nothing to the shape of the loop: single-precision coordinates put 1e-6 on it.
-constexpr double straightness = 1e-5;
+// Share of the tolerance by which a vertex may lie off the loop that goes on without it.
+constexpr double loop_share = 0.01;
 
 // Slivers in the neighbourhood of slivers take a few passes.
 constexpr int greatest_passes = 10;
@@ -134,14 +133,12 @@ class SliverRemover {
     return true;
   }
 
-  // The loop through u stays where it is if u lies between its neighbours and one of them is v.
+  // The loop stays where it is if u lies between its neighbours and one of them is v.
   bool is_straight_boundary(int u, int v) const {
     if (!editor_.is_boundary_edge(u, v)) return false;
     for (const int w : editor_.neighbours(u)) {
       if (w == v || !editor_.is_boundary_edge(u, w)) continue;
-      const Vec3 along = point(w) - point(v);
-      const double t = (point(u) - point(v)).dot(along) / along.squaredNorm();
-      return (point(v) + t * along - point(u)).norm() <= straightness * along.norm();
+      return (point(u) - foot(u, v, w)).norm() <= loop_share * tolerance_;
     }
     return false;
   }

@@ -206,10 +206,13 @@ Outcome weld(State& state, double distance) {
   found.insert(found.end(), merged.begin(), merged.end());
   Outcome outcome;
   for (const int v : found) outcome.places.push_back(state.surface.points[v]);
-  outcome.text =
-      fmt::format("{} boundary points were merged with others in the same place", merged.size());
+  if (!merged.empty()) {
+    outcome.text =
+        fmt::format("{} boundary points were merged with others in the same place", merged.size());
+  }
   if (split_count > 0) {
-    outcome.text += fmt::format(", {} were built into the edge that they lie on", split_count);
+    outcome.text += fmt::format("{}{} points were built into the edge that they lie on",
+                                merged.empty() ? "" : ", and ", split_count);
   }
   if (!found.empty()) {
     keep_triangles(state.surface, state.origin,
