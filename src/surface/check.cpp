@@ -18,11 +18,6 @@
 namespace hexwall {
 namespace {
 
-// A triangle counts as without area below this fraction of its longest edge squared. The cross
-// product of two edges carries a rounding error of some 1e-16 of that, so that 1e-14 refuses the
-// triangles whose normal is noise, while a needle of aspect ratio 1e13 still passes.
-constexpr double degenerate_area = 1e-14;
-
 constexpr std::size_t max_examples = 3;
 
 /// Counts violations and keeps the places of the first few.
@@ -39,21 +34,12 @@ class Places {
   std::string examples_;
 };
 
-std::string at(const Vec3& p) {
-  return fmt::format("({:.6g}, {:.6g}, {:.6g})", p.x(), p.y(), p.z());
-}
-
 std::string vertex_place(const TriangleSurface& surface, int v) {
-  return fmt::format("vertex {} at {}", v, at(surface.points[v]));
-}
-
-Vec3 centroid(const TriangleSurface& surface, int f) {
-  const auto& [a, b, c] = surface.triangles[f];
-  return (surface.points[a] + surface.points[b] + surface.points[c]) / 3.0;
+  return fmt::format("vertex {} at {}", v, coordinates(surface.points[v]));
 }
 
 std::string triangle_place(const TriangleSurface& surface, int f) {
-  return fmt::format("triangle {} near {}", f, at(centroid(surface, f)));
+  return fmt::format("triangle {} near {}", f, coordinates(centroid(surface, f)));
 }
 
 /// True for each vertex that a triangle uses.
@@ -87,25 +73,13 @@ bool has_repeated_vertex(const std::array<int, 3>& t) {
   return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
 }
 
-double longest_edge_squared(const TriangleSurface& surface, int f) {
-  const auto& [a, b, c] = surface.triangles[f];
-  const auto& p = surface.points;
-  return std::max(
-      {(p[b] - p[a]).squaredNorm(), (p[c] - p[b]).squaredNorm(), (p[a] - p[c]).squaredNorm()});
-}
-
-bool has_no_area(const TriangleSurface& surface, int f) {
-  const double area = 0.5 * doubled_area_vector(surface, f).norm();
-  return area <= degenerate_area * longest_edge_squared(surface, f);
-}
-
 void check_triangles(const TriangleSurface& surface) {
   Places repeated;
   Places flat;
   for (int f = 0; f < static_cast<int>(surface.triangles.size()); ++f) {
     if (has_repeated_vertex(surface.triangles[f])) {
       repeated.add([&] { return triangle_place(surface, f); });
-    } else if (has_no_area(surface, f)) {
+    } else if (!has_area(surface, f)) {
       flat.add([&] { return triangle_place(surface, f); });
     }
   }
@@ -159,8 +133,8 @@ void check_edges(const TriangleSurface& surface) {
     if (last - first <= 2) return;
     bad.add([&] {
       const Vec3 middle = 0.5 * (surface.points[first->low] + surface.points[first->high]);
-      return fmt::format("edge ({}, {}) near {} has {}", first->low, first->high, at(middle),
-                         last - first);
+      return fmt::format("edge ({}, {}) near {} has {}", first->low, first->high,
+                         coordinates(middle), last - first);
     });
   });
   if (bad.count() == 0) return;
@@ -239,7 +213,7 @@ void check_self_intersections(const TriangleSurface& surface) {
   Places bad;
   for (const auto& [f, g] : pairs) {
     bad.add([&surface, f = f, g = g] {
-      return fmt::format("triangles {} and {} near {}", f, g, at(centroid(surface, f)));
+      return fmt::format("triangles {} and {} near {}", f, g, coordinates(centroid(surface, f)));
     });
   }
   throw GeometryError(fmt::format(
@@ -260,7 +234,7 @@ void note_winding(CheckResult& result) {
 
 }  // namespace
 
-CheckResult check_surface(const TriangleSurface& surface) {
+CheckResult check_surface(const TriangleSurface& surface, bool is_free_of_intersections) {
   check_not_empty(surface);
   check_finite(surface);
   check_triangles(surface);
@@ -272,7 +246,7 @@ CheckResult check_surface(const TriangleSurface& surface) {
   const Connectivity mesh(static_cast<int>(surface.points.size()), oriented.surface.triangles);
   check_loops(mesh);
   check_genus(mesh);
-  check_self_intersections(oriented.surface);
+  if (!is_free_of_intersections) check_self_intersections(oriented.surface);
   CheckResult result{std::move(oriented.surface), oriented.flipped, {}};
   note_winding(result);
   return result;

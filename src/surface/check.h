@@ -18,8 +18,10 @@ struct CheckResult {
 /// non-finite coordinates; triangles with a repeated vertex or without area; several connected
 /// components; edges with more than two triangles; Möbius bands; vertices that join several fans;
 /// fewer than two boundary loops; handles (genus > 0); self-intersections.
+/// The last and most costly of these is left out if the caller knows that the surface
+/// `is_free_of_intersections` (see `RepairResult`).
 /// \pre each index lies in [0, #V). Points that no triangle uses are ignored.
 /// \throws GeometryError, TopologyError as above.
-CheckResult check_surface(const TriangleSurface& surface);
+CheckResult check_surface(const TriangleSurface& surface, bool is_free_of_intersections = false);
 
 }  // namespace hexwall

@@ -3,18 +3,20 @@
 #include <algorithm>
 #include <vector>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/remesh.h>
-#include <CGAL/Surface_mesh.h>
+
+#include "surface/cgal_mesh.h"
 
 namespace hexwall {
 namespace {
 
 namespace pmp = CGAL::Polygon_mesh_processing;
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
-using Vertex = Mesh::Vertex_index;
+using cgal::Kernel;
+using cgal::Mesh;
+using cgal::to_cgal;
+using cgal::to_eigen;
+using cgal::Vertex;
 
 constexpr int rounds = 8;            // vertex count and worst angle settle after 5 or 6
 constexpr int boundary_passes = 10;  // per round: spreads the vertices that a split put in between
@@ -22,38 +24,6 @@ constexpr int boundary_passes = 10;  // per round: spreads the vertices that a s
 // Accuracy of the projections, relative to the edge length: between the rounds, and in the end.
 constexpr double coarse = 1e-3;
 constexpr double fine = 1e-12;
-
-Vec3 to_eigen(const Kernel::Point_3& p) {
-  return {p.x(), p.y(), p.z()};
-}
-Kernel::Point_3 to_cgal(const Vec3& p) {
-  return {p.x(), p.y(), p.z()};
-}
-
-Mesh mesh_of(const TriangleSurface& surface) {
-  Mesh mesh;
-  for (const Vec3& p : surface.points) mesh.add_vertex(to_cgal(p));
-  for (const auto& [a, b, c] : surface.triangles) {
-    mesh.add_face(Vertex(static_cast<unsigned>(a)), Vertex(static_cast<unsigned>(b)),
-                  Vertex(static_cast<unsigned>(c)));
-  }
-  return mesh;
-}
-
-TriangleSurface surface_of(Mesh& mesh) {
-  mesh.collect_garbage();
-  TriangleSurface surface;
-  for (const Vertex v : mesh.vertices()) surface.points.push_back(to_eigen(mesh.point(v)));
-  for (const auto f : mesh.faces()) {
-    std::array<int, 3> triangle{};
-    int k = 0;
-    for (const Vertex v : mesh.vertices_around_face(mesh.halfedge(f))) {
-      triangle[k++] = static_cast<int>(v.idx());
-    }
-    surface.triangles.push_back(triangle);
-  }
-  return surface;
-}
 
 const OpenEnd& nearest_end(const VesselField& field, const Vec3& p) {
   return *std::min_element(field.ends().begin(), field.ends().end(),
@@ -95,7 +65,7 @@ void project_interior(Mesh& mesh, const VesselField& field, double tolerance) {
 
 TriangleSurface remesh_on_field(const TriangleSurface& surface, const VesselField& field,
                                 double edge) {
-  Mesh mesh = mesh_of(surface);
+  Mesh mesh = cgal::mesh_of(surface);
   project_interior(mesh, field, coarse * edge);
   for (int i = 0; i < rounds; ++i) {
     pmp::isotropic_remeshing(
@@ -105,7 +75,7 @@ TriangleSurface remesh_on_field(const TriangleSurface& surface, const VesselFiel
     for (int pass = 0; pass < boundary_passes; ++pass) smooth_boundary(mesh, field);
   }
   project_interior(mesh, field, fine * edge);
-  return surface_of(mesh);
+  return cgal::surface_of(mesh);
 }
 
 }  // namespace hexwall
