@@ -144,6 +144,7 @@ PolyData quad_data(const PipelineResult& r) {
   data.point_arrays.push_back({"target_edge", 1, r.target_edge});
   data.point_arrays.push_back({"thickness", 1, r.wall.thickness});
   data.cell_arrays.push_back({"cylinder", 1, r.quads.cylinder});
+  data.cell_arrays.push_back({"extension", 1, r.extension});
   data.cell_arrays.push_back({"patch", 1, r.quads.patch});
   data.cell_arrays.push_back({"scaled_jacobian", 1, r.quad_quality.scaled_jacobian});
   FieldStrings names{"loop_names", {}};
@@ -174,12 +175,15 @@ PolyData basis_data(const PipelineResult& r) {
 void write_wall(const std::filesystem::path& path, const PipelineResult& r) {
   std::vector<int> cylinder;
   std::vector<int> patch;
+  std::vector<int> extension;
   for (const int quad : r.wall.mesh.quad) {
+    extension.push_back(r.extension[quad]);
     cylinder.push_back(r.quads.cylinder[quad]);
     patch.push_back(r.quads.patch[quad]);
   }
   write_vtu(path, r.wall.mesh,
             {{"cylinder", 1, std::move(cylinder)},
+             {"extension", 1, std::move(extension)},
              {"patch", 1, std::move(patch)},
              {"scaled_jacobian", 1, r.wall.scaled_jacobian}});
 }

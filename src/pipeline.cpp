@@ -10,7 +10,6 @@
 
 #include "core/errors.h"
 #include "foliation/local_radius.h"
-#include "surface/check.h"
 #include "surface/projector.h"
 #include "warnings.h"
 
@@ -45,31 +44,23 @@ void check_options(const PipelineOptions& options) {
   require(options.relax >= 0.0 && options.relax <= 1.0, "--relax must lie between 0 and 1");
 }
 
-std::vector<Vec3> loop_points(const TriangleSurface& surface, const std::vector<int>& loop) {
-  std::vector<Vec3> points;
-  points.reserve(loop.size());
-  for (const int v : loop) points.push_back(surface.points[v]);
-  return points;
-}
-
-// Connectivity with the longest loop first, so that names do not depend on the file's order.
-void find_openings(PipelineResult& r) {
+// Brings the loops in the order of the openings, each at the loop of the nearest centre.
+void find_openings(const PrepareResult& input, PipelineResult& r) {
   r.connectivity = Connectivity(static_cast<int>(r.surface.points.size()), r.surface.triangles);
   const auto& loops = r.connectivity.loops();
-  std::vector<double> lengths;
-  lengths.reserve(loops.size());
-  for (const auto& loop : loops) {
-    lengths.push_back(LoopCurve(loop_points(r.surface, loop)).length());
+  std::vector<LoopPlane> planes;
+  for (const auto& loop : loops) planes.push_back(fit_plane(loop_points(r.surface, loop)));
+  std::vector<int> order;
+  for (const NamedPlace& opening : input.openings) {
+    const auto nearest =
+        std::min_element(planes.begin(), planes.end(), [&](const LoopPlane& a, const LoopPlane& b) {
+          return (a.center - opening.at).squaredNorm() < (b.center - opening.at).squaredNorm();
+        });
+    order.push_back(static_cast<int>(nearest - planes.begin()));
+    r.openings.push_back(
+        {opening.name, loop_length(loop_points(r.surface, loops[order.back()])), *nearest});
   }
-  std::vector<int> order(loops.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(),
-                   [&](int a, int b) { return lengths[a] > lengths[b]; });
   r.connectivity.reorder_loops(order);
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    r.openings.push_back({fmt::format("loop_{}", i), lengths[order[i]],
-                          fit_plane(loop_points(r.surface, r.connectivity.loops()[i]))});
-  }
 }
 
 std::vector<double> face_means(const TriangleSurface& surface, const std::vector<double>& values) {
@@ -304,7 +295,7 @@ std::vector<Vec3> find_directions(PipelineResult& r, const std::vector<SurfacePo
   return directions;
 }
 
-void extrude_wall(PipelineResult& r, std::vector<SurfacePoint> places,
+void extrude_wall(PipelineResult& r, std::vector<SurfacePoint>& places,
                   const SurfaceProjector& projector) {
   if (!r.options.thickness) r.options.thickness = default_thickness_ratio * mean_radius(r);
   std::vector<Vec3> directions = find_directions(r, places);
@@ -321,6 +312,18 @@ void extrude_wall(PipelineResult& r, std::vector<SurfacePoint> places,
   r.wall = extrude(r.quads, directions, names, options);
 }
 
+// A quad belongs to an extension if most of its corners do.
+void find_extensions(const std::vector<int>& of_face, const std::vector<SurfacePoint>& places,
+                     PipelineResult& r) {
+  r.extension.reserve(r.quads.quads.size());
+  for (const auto& quad : r.quads.quads) {
+    std::array<int, 4> corners;
+    for (int k = 0; k < 4; ++k) corners[k] = of_face[places[quad[k]].face];
+    std::sort(corners.begin(), corners.end());
+    r.extension.push_back(corners[1] == corners[2] ? corners[1] : -1);
+  }
+}
+
 }  // namespace
 
 std::string loop_name(const PipelineResult& result, int loop) {
@@ -329,17 +332,15 @@ std::string loop_name(const PipelineResult& result, int loop) {
                            : fmt::format("pole_{}", loop - first_pole + 1);
 }
 
-PipelineResult run_pipeline(const TriangleSurface& surface, const PipelineOptions& options,
+PipelineResult run_pipeline(const PrepareResult& input, const PipelineOptions& options,
                             const ProgressCallback& progress) {
   check_options(options);
   PipelineResult r;
   r.options = options;
-  StageClock clock(progress, 6);
-  clock.begin("check");
-  CheckResult check = check_surface(surface);
-  r.surface = std::move(check.surface);
-  r.warnings = std::move(check.notes);
-  find_openings(r);
+  StageClock clock(progress, 5);
+  r.surface = input.surface;
+  r.warnings = input.warnings;
+  find_openings(input, r);
   clock.begin("form");
   find_relative_edges(r);
   find_form(r);
@@ -353,11 +354,17 @@ PipelineResult run_pipeline(const TriangleSurface& surface, const PipelineOption
   const SurfaceProjector projector(r.surface, r.connectivity);
   std::vector<SurfacePoint> places = relax_quads(r, projector);
   clock.begin("wall");
-  extrude_wall(r, std::move(places), projector);
+  extrude_wall(r, places, projector);
+  find_extensions(input.extension, places, r);
   add_warnings(r);
   clock.end();
   r.times = clock.times();
   return r;
+}
+
+PipelineResult run_pipeline(const TriangleSurface& surface, const PipelineOptions& options,
+                            const ProgressCallback& progress) {
+  return run_pipeline(use_as_it_is(surface), options, progress);
 }
 
 }  // namespace hexwall

@@ -18,6 +18,8 @@
 #include "quad/quantise.h"
 #include "quad/relax.h"
 #include "surface/connectivity.h"
+#include "surface/loop_plane.h"
+#include "surface/prepare.h"
 #include "surface/triangle_surface.h"
 
 namespace hexwall {
@@ -42,7 +44,7 @@ struct PipelineOptions {
   PoleRequest poles;
 };
 
-/// A boundary loop of the input, the longest one first.
+/// A boundary loop of the input, in the order of `PrepareResult::openings`.
 struct Opening {
   std::string name;
   double length = 0.0;
@@ -52,7 +54,7 @@ struct Opening {
 /// Everything that the pipeline computes, stage by stage. Lengths are in the unit of the input.
 struct PipelineResult {
   PipelineOptions options;  ///< with all defaults filled in
-  TriangleSurface surface;  ///< the input, wound outward
+  TriangleSurface surface;  ///< as prepared
   Connectivity connectivity;
   std::vector<Opening> openings;
   std::vector<double> relative_edge;  ///< #V target edge length over `options.size`
@@ -65,6 +67,7 @@ struct PipelineResult {
   std::vector<PoleCap> pole_caps;
   QuadMesh quads;                   ///< poles closed, after relaxation and polishing
   std::vector<double> target_edge;  ///< #V of `quads`
+  std::vector<int> extension;       ///< #Q opening whose flow extension it belongs to, or -1
   RelaxResult relaxation;
   int smoothed_directions = 0;  ///< quad vertices not extruded along the surface's normal
   PolishResult polishing;
@@ -78,8 +81,11 @@ struct PipelineResult {
 std::string loop_name(const PipelineResult& result, int loop);
 
 /// From a vessel surface to its hexahedral wall.
-/// \throws UsageError for options out of range, GeometryError, TopologyError for surfaces that are
-/// no vessel wall (see `check_surface`), MeshingError where no valid mesh is found.
+/// \throws UsageError for options out of range, MeshingError where no valid mesh is found.
+PipelineResult run_pipeline(const PrepareResult& input, const PipelineOptions& options,
+                            const ProgressCallback& progress = {});
+
+/// The same for a surface that needs no preparation (see `use_as_it_is`).
 PipelineResult run_pipeline(const TriangleSurface& surface, const PipelineOptions& options,
                             const ProgressCallback& progress = {});
 

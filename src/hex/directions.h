@@ -3,19 +3,9 @@
 #include <vector>
 
 #include "quad/quad_mesh.h"
+#include "surface/loop_plane.h"
 
 namespace hexwall {
-
-/// A plane fitted to a loop of points: unit normal, centroid, mean radius, and the greatest
-/// distance of a point from it.
-struct LoopPlane {
-  Vec3 center;
-  Vec3 normal;
-  double radius = 0.0;
-  double deviation = 0.0;
-  bool is_planar() const;
-};
-LoopPlane fit_plane(const std::vector<Vec3>& loop);
 
 /// Turns the directions at vertices of planar loops into the plane of their loop, so that the end
 /// rings of the wall are flat. \param planes one per boundary loop.

@@ -7,17 +7,10 @@
 
 #include "dec/operators.h"
 #include "holomorphic/energy.h"
+#include "surface/loop_plane.h"
 
 namespace hexwall {
 namespace {
-
-double polyline_length(const TriangleSurface& surface, const std::vector<int>& loop) {
-  double length = 0.0;
-  for (std::size_t i = 0; i < loop.size(); ++i) {
-    length += (surface.points[loop[(i + 1) % loop.size()]] - surface.points[loop[i]]).norm();
-  }
-  return length;
-}
 
 // Brings the loops of the punctured surface in the order: those of the surface, then the holes.
 // \returns for each of them its number in `mesh`.
@@ -105,7 +98,7 @@ FormSolution solve_form(const FormProblem& problem, const std::vector<SurfaceDis
   const auto energy = area_energy({s.refined.surface, s.refined.parent_face, face_count, g, rho});
   std::vector<double> lengths;
   for (const auto& loop : s.connectivity.loops()) {
-    lengths.push_back(polyline_length(s.refined.surface, loop));
+    lengths.push_back(loop_length(loop_points(s.refined.surface, loop)));
   }
   s.optimum = optimal_form(*energy, lengths, s.basis.exterior);
   s.form = combine(s.connectivity, s.basis, s.optimum.lambda);

@@ -20,19 +20,25 @@ namespace {
 
 constexpr std::size_t max_examples = 3;
 
-/// Counts violations and keeps the places of the first few.
+/// Where something is wrong: all places, and the first few in words.
 class Places {
  public:
-  void add(const std::function<std::string()>& describe) {
-    if (count_++ < max_examples) examples_ += (examples_.empty() ? "" : "; ") + describe();
+  void add(const Vec3& at, const std::function<std::string()>& describe) {
+    if (places_.size() < max_examples) examples_ += (examples_.empty() ? "" : "; ") + describe();
+    places_.push_back(at);
   }
-  std::size_t count() const { return count_; }
-  std::string examples() const { return examples_ + (count_ > max_examples ? "; and more" : ""); }
+  std::size_t count() const { return places_.size(); }
+  std::string examples() const {
+    return examples_ + (places_.size() > max_examples ? "; and more" : "");
+  }
+  std::vector<Vec3> all() const { return places_; }
 
  private:
-  std::size_t count_ = 0;
+  std::vector<Vec3> places_;
   std::string examples_;
 };
+
+using Problems = std::vector<Problem>;
 
 std::string vertex_place(const TriangleSurface& surface, int v) {
   return fmt::format("vertex {} at {}", v, coordinates(surface.points[v]));
@@ -51,53 +57,64 @@ std::vector<bool> used_vertices(const TriangleSurface& surface) {
   return used;
 }
 
-void check_not_empty(const TriangleSurface& surface) {
-  if (surface.triangles.empty()) throw TopologyError("the surface has no triangles");
+void check_not_empty(const TriangleSurface& surface, Problems& problems) {
+  if (!surface.triangles.empty()) return;
+  problems.push_back({"empty", ExitCode::topology, "the surface has no triangles", {}});
 }
 
-void check_finite(const TriangleSurface& surface) {
+void check_finite(const TriangleSurface& surface, Problems& problems) {
   const std::vector<bool> used = used_vertices(surface);
   Places bad;
   for (int v = 0; v < static_cast<int>(used.size()); ++v) {
     if (!used[v] || surface.points[v].allFinite()) continue;
-    bad.add([&] { return vertex_place(surface, v); });
+    bad.add(surface.points[v], [&] { return vertex_place(surface, v); });
   }
   if (bad.count() == 0) return;
-  throw GeometryError(fmt::format(
-      "{} vertices have coordinates that are not finite (NaN or infinite): {}. Export the surface "
-      "again without them",
-      bad.count(), bad.examples()));
+  problems.push_back({"not_finite",
+                      ExitCode::geometry,
+                      fmt::format("{} vertices have coordinates that are not finite (NaN or "
+                                  "infinite): {}. Export the surface again without them",
+                                  bad.count(), bad.examples()),
+                      {}});
 }
 
 bool has_repeated_vertex(const std::array<int, 3>& t) {
   return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
 }
 
-void check_triangles(const TriangleSurface& surface) {
+void check_triangles(const TriangleSurface& surface, Problems& problems) {
   Places repeated;
   Places flat;
   for (int f = 0; f < static_cast<int>(surface.triangles.size()); ++f) {
     if (has_repeated_vertex(surface.triangles[f])) {
-      repeated.add([&] { return triangle_place(surface, f); });
+      repeated.add(centroid(surface, f), [&] { return triangle_place(surface, f); });
     } else if (!has_area(surface, f)) {
-      flat.add([&] { return triangle_place(surface, f); });
+      flat.add(centroid(surface, f), [&] { return triangle_place(surface, f); });
     }
   }
   constexpr std::string_view advice =
       "Collapse their shortest edges or remesh the surface before meshing the wall";
   if (repeated.count() > 0) {
-    throw GeometryError(fmt::format("{} triangles use a vertex twice and have no area: {}. {}",
-                                    repeated.count(), repeated.examples(), advice));
+    problems.push_back({"degenerate", ExitCode::geometry,
+                        fmt::format("{} triangles use a vertex twice and have no area: {}. {}",
+                                    repeated.count(), repeated.examples(), advice),
+                        repeated.all()});
   }
   if (flat.count() > 0) {
-    throw GeometryError(
-        fmt::format("{} triangles have zero area: {}. {}", flat.count(), flat.examples(), advice));
+    problems.push_back(
+        {"degenerate", ExitCode::geometry,
+         fmt::format("{} triangles have zero area: {}. {}", flat.count(), flat.examples(), advice),
+         flat.all()});
   }
 }
 
-/// Number of triangles of each connected component, in decreasing order. Components touch nowhere,
-/// not even in a vertex.
-std::vector<int> component_sizes(const TriangleSurface& surface) {
+struct Component {
+  int triangles;
+  int first;  ///< its triangle of lowest number
+};
+
+/// Connected components, the one of most triangles first. They touch nowhere, not even in a vertex.
+std::vector<Component> components(const TriangleSurface& surface) {
   std::vector<int> parent(surface.points.size());
   std::iota(parent.begin(), parent.end(), 0);
   const auto root = [&parent](int v) {
@@ -108,40 +125,56 @@ std::vector<int> component_sizes(const TriangleSurface& surface) {
     parent[root(t[1])] = root(t[0]);
     parent[root(t[2])] = root(t[0]);
   }
-  std::vector<int> sizes(parent.size(), 0);
-  for (const auto& t : surface.triangles) ++sizes[root(t[0])];
-  std::sort(sizes.begin(), sizes.end(), std::greater<>());
-  sizes.erase(std::find(sizes.begin(), sizes.end(), 0), sizes.end());
-  return sizes;
+  std::vector<int> number(parent.size(), -1);
+  std::vector<Component> found;
+  for (int f = 0; f < static_cast<int>(surface.triangles.size()); ++f) {
+    int& n = number[root(surface.triangles[f][0])];
+    if (n < 0) {
+      n = static_cast<int>(found.size());
+      found.push_back({0, f});
+    }
+    ++found[n].triangles;
+  }
+  std::stable_sort(found.begin(), found.end(), [](const Component& l, const Component& r) {
+    return l.triangles > r.triangles;
+  });
+  return found;
 }
 
-void check_connected(const TriangleSurface& surface) {
-  const std::vector<int> sizes = component_sizes(surface);
-  if (sizes.size() == 1) return;
+void check_connected(const TriangleSurface& surface, Problems& problems) {
+  const std::vector<Component> found = components(surface);
+  if (found.size() == 1) return;
   std::string list;
-  const std::size_t shown = std::min<std::size_t>(sizes.size(), 10);
-  for (std::size_t i = 0; i < shown; ++i) list += fmt::format("{}{}", i > 0 ? ", " : "", sizes[i]);
-  throw TopologyError(fmt::format(
-      "the surface has {} connected components, of {}{} triangles; it has to be one. Keep only the "
-      "vessel and delete the rest",
-      sizes.size(), list, sizes.size() > shown ? ", ..." : ""));
+  std::vector<Vec3> places;
+  const std::size_t shown = std::min<std::size_t>(found.size(), 10);
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    if (i < shown) list += fmt::format("{}{}", i > 0 ? ", " : "", found[i].triangles);
+    if (i > 0) places.push_back(centroid(surface, found[i].first));
+  }
+  problems.push_back({"components", ExitCode::topology,
+                      fmt::format("the surface has {} connected components, of {}{} triangles; it "
+                                  "has to be one. Keep only the vessel and delete the rest",
+                                  found.size(), list, found.size() > shown ? ", ..." : ""),
+                      places});
 }
 
-void check_edges(const TriangleSurface& surface) {
+void check_edges(const TriangleSurface& surface, Problems& problems) {
   Places bad;
   for_each_edge(edge_uses(surface.triangles), [&](auto first, auto last) {
     if (last - first <= 2) return;
-    bad.add([&] {
-      const Vec3 middle = 0.5 * (surface.points[first->low] + surface.points[first->high]);
+    const Vec3 middle = 0.5 * (surface.points[first->low] + surface.points[first->high]);
+    bad.add(middle, [&] {
       return fmt::format("edge ({}, {}) near {} has {}", first->low, first->high,
                          coordinates(middle), last - first);
     });
   });
   if (bad.count() == 0) return;
-  throw TopologyError(fmt::format(
-      "the surface is not manifold: {} edges have more than two triangles: {}. Delete the inner "
-      "walls or doubled triangles there",
-      bad.count(), bad.examples()));
+  problems.push_back(
+      {"nonmanifold_edges", ExitCode::topology,
+       fmt::format("the surface is not manifold: {} edges have more than two "
+                   "triangles: {}. Delete the inner walls or doubled triangles there",
+                   bad.count(), bad.examples()),
+       bad.all()});
 }
 
 /// Number of fans of edge-connected triangles at each vertex.
@@ -171,55 +204,80 @@ std::vector<int> fan_counts(const TriangleSurface& surface) {
   return fans;
 }
 
-void check_vertices(const TriangleSurface& surface) {
+void check_vertices(const TriangleSurface& surface, Problems& problems) {
   const std::vector<int> fans = fan_counts(surface);
   Places bad;
   for (int v = 0; v < static_cast<int>(fans.size()); ++v) {
-    if (fans[v] > 1) bad.add([&] { return vertex_place(surface, v); });
+    if (fans[v] > 1) bad.add(surface.points[v], [&] { return vertex_place(surface, v); });
   }
   if (bad.count() == 0) return;
-  throw TopologyError(fmt::format(
-      "the surface is not manifold: at {} vertices two or more parts touch in a single point: {}. "
-      "Separate the parts there or delete the smaller one",
-      bad.count(), bad.examples()));
+  problems.push_back(
+      {"nonmanifold_vertices", ExitCode::topology,
+       fmt::format(
+           "the surface is not manifold: at {} vertices two or more parts touch in a single "
+           "point: {}. Separate the parts there or delete the smaller one",
+           bad.count(), bad.examples()),
+       bad.all()});
 }
 
-void check_loops(const Connectivity& mesh) {
+/// A Möbius band is reported before touching parts are.
+void check_orientable(const TriangleSurface& surface, Problems& problems) {
+  try {
+    make_consistent(surface);
+  } catch (const TopologyError& error) {
+    problems.push_back({"not_orientable", error.code(), error.what(), {}});
+  }
+}
+
+void check_loops(const Connectivity& mesh, const TriangleSurface& surface, Problems& problems) {
   const std::size_t loops = mesh.loops().size();
   if (loops >= 2) return;
   if (loops == 0) {
-    throw TopologyError(
-        "the surface is closed: it has no boundary loops. Cut its caps off at the vessel's inlets "
-        "and outlets, which leaves one loop for each (at least 2)");
+    problems.push_back(
+        {"closed",
+         ExitCode::topology,
+         "the surface is closed: it has no boundary loops. Cut its caps off at the vessel's inlets "
+         "and outlets, which leaves one loop for each (at least 2)",
+         {}});
+    return;
   }
-  throw TopologyError(
-      "the surface has only one boundary loop; a vessel needs at least 2, one for each inlet and "
-      "outlet. Cut off the caps that still close it");
+  problems.push_back(
+      {"closed",
+       ExitCode::topology,
+       "the surface has only one boundary loop; a vessel needs at least 2, one for each inlet and "
+       "outlet. Cut off the caps that still close it",
+       {surface.points[mesh.loops()[0].front()]}});
 }
 
 // A sphere with g handles and b holes has the Euler number 2 - 2 g - b.
-void check_genus(const Connectivity& mesh) {
+void check_genus(const Connectivity& mesh, Problems& problems) {
   const int genus = (2 - static_cast<int>(mesh.loops().size()) - mesh.euler_number()) / 2;
   if (genus == 0) return;
-  throw TopologyError(fmt::format(
-      "the surface has genus {0}: it has {0} handles, as where two branches fuse or touch. Only "
-      "spheres with holes (genus 0) can be meshed; cut the handles open and close the cuts",
-      genus));
+  problems.push_back(
+      {"genus",
+       ExitCode::topology,
+       fmt::format("the surface has genus {0}: it has {0} handles, as where two branches fuse or "
+                   "touch. Only spheres with holes (genus 0) can be meshed; cut the handles open "
+                   "and close the cuts",
+                   genus),
+       {}});
 }
 
-void check_self_intersections(const TriangleSurface& surface) {
+void check_self_intersections(const TriangleSurface& surface, Problems& problems) {
   const auto pairs = self_intersections(surface);
   if (pairs.empty()) return;
   Places bad;
   for (const auto& [f, g] : pairs) {
-    bad.add([&surface, f = f, g = g] {
+    bad.add(centroid(surface, f), [&surface, f = f, g = g] {
       return fmt::format("triangles {} and {} near {}", f, g, coordinates(centroid(surface, f)));
     });
   }
-  throw GeometryError(fmt::format(
-      "the surface has a self-intersection: {} pairs of triangles cross or touch: {}. Smooth or "
-      "remesh the surface there",
-      bad.count(), bad.examples()));
+  problems.push_back(
+      {"self_intersections", ExitCode::geometry,
+       fmt::format("the surface has a self-intersection: {} pairs of triangles cross "
+                   "or touch: {}. Smooth or remesh the surface there",
+                   bad.count(), bad.examples()),
+       bad.all()});
 }
 
 void note_winding(CheckResult& result) {
@@ -232,21 +290,64 @@ void note_winding(CheckResult& result) {
   }
 }
 
+/// Runs one check after another. Each presupposes that the ones of the groups before it passed.
+class Checks {
+ public:
+  explicit Checks(bool only_first) : only_first_(only_first) {}
+
+  template <class... Check>
+  void group(const Check&... check) {
+    if (!problems_.empty()) return;
+    (run(check), ...);
+  }
+  const Problems& problems() const { return problems_; }
+
+ private:
+  template <class Check>
+  void run(const Check& check) {
+    if (problems_.empty() || !only_first_) check(problems_);
+  }
+
+  bool only_first_;
+  Problems problems_;
+};
+
+Problems run_checks(const TriangleSurface& surface, bool only_first, bool is_free_of_intersections,
+                    OrientResult& oriented) {
+  Checks checks(only_first);
+  checks.group([&](Problems& p) { check_not_empty(surface, p); });
+  checks.group([&](Problems& p) { check_finite(surface, p); });
+  checks.group([&](Problems& p) { check_triangles(surface, p); },
+               [&](Problems& p) { check_connected(surface, p); },
+               [&](Problems& p) { check_edges(surface, p); },
+               [&](Problems& p) { check_orientable(surface, p); },
+               [&](Problems& p) { check_vertices(surface, p); });
+  if (!checks.problems().empty()) return checks.problems();
+  oriented = orient(surface);
+  const Connectivity mesh(static_cast<int>(surface.points.size()), oriented.surface.triangles);
+  checks.group([&](Problems& p) { check_loops(mesh, surface, p); },
+               [&](Problems& p) { check_genus(mesh, p); },
+               [&](Problems& p) {
+                 if (!is_free_of_intersections) check_self_intersections(oriented.surface, p);
+               });
+  return checks.problems();
+}
+
 }  // namespace
 
+std::vector<Problem> find_problems(const TriangleSurface& surface) {
+  OrientResult oriented;
+  return run_checks(surface, false, false, oriented);
+}
+
 CheckResult check_surface(const TriangleSurface& surface, bool is_free_of_intersections) {
-  check_not_empty(surface);
-  check_finite(surface);
-  check_triangles(surface);
-  check_connected(surface);
-  check_edges(surface);
-  make_consistent(surface);  // a Möbius band is reported before touching parts are
-  check_vertices(surface);
-  OrientResult oriented = orient(surface);
-  const Connectivity mesh(static_cast<int>(surface.points.size()), oriented.surface.triangles);
-  check_loops(mesh);
-  check_genus(mesh);
-  if (!is_free_of_intersections) check_self_intersections(oriented.surface);
+  OrientResult oriented;
+  const Problems problems = run_checks(surface, true, is_free_of_intersections, oriented);
+  if (!problems.empty()) {
+    const Problem& first = problems.front();
+    if (first.code == ExitCode::geometry) throw GeometryError(first.message);
+    throw TopologyError(first.message);
+  }
   CheckResult result{std::move(oriented.surface), oriented.flipped, {}};
   note_winding(result);
   return result;

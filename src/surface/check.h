@@ -3,9 +3,25 @@
 #include <string>
 #include <vector>
 
+#include "core/errors.h"
 #include "surface/triangle_surface.h"
 
 namespace hexwall {
+
+/// What keeps a surface from being meshed.
+struct Problem {
+  std::string kind;          ///< empty, not_finite, degenerate, components, nonmanifold_edges,
+                             ///< not_orientable, nonmanifold_vertices, closed, genus,
+                             ///< self_intersections
+  ExitCode code;             ///< of the refusal
+  std::string message;       ///< what is wrong, where, what to do
+  std::vector<Vec3> places;  ///< all places, where there are any
+};
+
+/// All problems that `check_surface` would name, but for those that can't be looked for as long as
+/// others are there: loops, handles and self-intersections of a surface that is not manifold.
+/// \pre each index lies in [0, #V).
+std::vector<Problem> find_problems(const TriangleSurface& surface);
 
 struct CheckResult {
   TriangleSurface surface;         ///< the input, with all triangles wound outward

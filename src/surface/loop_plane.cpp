@@ -1,0 +1,48 @@
+#include "surface/loop_plane.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Eigenvalues>
+
+#include "core/tolerances.h"
+
+namespace hexwall {
+
+bool LoopPlane::is_planar() const {
+  return deviation <= tolerance::loop_planarity * radius;
+}
+
+LoopPlane fit_plane(const std::vector<Vec3>& loop) {
+  LoopPlane plane;
+  plane.center = Vec3::Zero();
+  for (const Vec3& p : loop) plane.center += p / static_cast<double>(loop.size());
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  for (const Vec3& p : loop) {
+    const Vec3 d = p - plane.center;
+    covariance += d * d.transpose();
+    plane.radius += d.norm() / static_cast<double>(loop.size());
+  }
+  plane.normal = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance).eigenvectors().col(0);
+  for (const Vec3& p : loop) {
+    plane.deviation = std::max(plane.deviation, std::abs((p - plane.center).dot(plane.normal)));
+  }
+  return plane;
+}
+
+std::vector<Vec3> loop_points(const TriangleSurface& surface, const std::vector<int>& loop) {
+  std::vector<Vec3> points;
+  points.reserve(loop.size());
+  for (const int v : loop) points.push_back(surface.points[v]);
+  return points;
+}
+
+double loop_length(const std::vector<Vec3>& loop) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    sum += (loop[(i + 1) % loop.size()] - loop[i]).norm();
+  }
+  return sum;
+}
+
+}  // namespace hexwall

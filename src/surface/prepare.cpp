@@ -1,0 +1,122 @@
+#include "surface/prepare.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include <fmt/format.h>
+
+#include "surface/check.h"
+#include "surface/connectivity.h"
+#include "surface/extend.h"
+#include "surface/loop_plane.h"
+#include "surface/units.h"
+
+namespace hexwall {
+namespace {
+
+void add_repairs(const RepairResult& repaired, PrepareResult& result) {
+  for (const RepairAction& action : repaired.actions) {
+    result.notes.push_back(action.text);
+    result.repairs.push_back(action);
+  }
+  result.moved = std::max(result.moved, repaired.moved);
+}
+
+// Loops by falling length, so that names do not depend on the file's order.
+std::vector<int> longest_first(const TriangleSurface& surface, const Connectivity& mesh) {
+  std::vector<double> lengths;
+  for (const auto& loop : mesh.loops()) {
+    lengths.push_back(loop_length(loop_points(surface, loop)));
+  }
+  std::vector<int> order(lengths.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](int a, int b) { return lengths[a] > lengths[b]; });
+  return order;
+}
+
+// Names the openings and lengthens them. `openings` gets the centres of the final loops.
+void name_and_extend(const PrepareOptions& options, PrepareResult& result) {
+  const Connectivity mesh(static_cast<int>(result.surface.points.size()), result.surface.triangles);
+  const std::vector<int> order = longest_first(result.surface, mesh);
+  std::vector<Vec3> centers;
+  std::vector<double> radii;
+  for (const int loop : order) {
+    const LoopPlane plane = fit_plane(loop_points(result.surface, mesh.loops()[loop]));
+    centers.push_back(plane.center);
+    radii.push_back(plane.radius);
+  }
+  std::vector<NamedPlace> of_caps;
+  for (const OpenedCap& cap : result.opened) {
+    if (!cap.name.empty()) of_caps.push_back({cap.name, cap.center});
+  }
+  const std::vector<std::string> names = assign_names(centers, radii, options.names, of_caps);
+  if (options.extend > 0.0) {
+    ExtendResult extended = extend_openings(result.surface, options.extend);
+    result.surface = std::move(extended.surface);
+    const Connectivity longer(static_cast<int>(result.surface.points.size()),
+                              result.surface.triangles);
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      const int loop = longer.loop_of_vertex(extended.end_vertex[order[i]]);
+      centers[i] = fit_plane(loop_points(result.surface, longer.loops()[loop])).center;
+    }
+    std::vector<int> number(order.size());
+    for (std::size_t i = 0; i < order.size(); ++i) number[order[i]] = static_cast<int>(i);
+    result.extension = std::move(extended.extension);
+    for (int& e : result.extension) e = e < 0 ? e : number[e];
+    result.notes.insert(result.notes.end(), extended.notes.begin(), extended.notes.end());
+  }
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    result.openings.push_back({names[i], centers[i]});
+  }
+}
+
+}  // namespace
+
+PrepareResult repair_and_open(const ReadResult& input, const PrepareOptions& options,
+                              bool& is_free_of_intersections) {
+  PrepareResult result;
+  result.notes = input.notes;
+  RepairResult topology = repair_topology(input.surface, options.repair);
+  add_repairs(topology, result);
+  OpenResult open =
+      open_surface(topology.surface, follow(input.cell_arrays, topology.origin), options.open);
+  result.opened = std::move(open.caps);
+  result.notes.insert(result.notes.end(), open.notes.begin(), open.notes.end());
+  RepairResult geometry = repair_geometry(open.surface, options.repair);
+  add_repairs(geometry, result);
+  result.surface = std::move(geometry.surface);
+  is_free_of_intersections = geometry.is_free_of_intersections;
+  return result;
+}
+
+namespace {
+
+PrepareResult finish(PrepareResult result, const PrepareOptions& options,
+                     bool is_free_of_intersections) {
+  CheckResult checked = check_surface(result.surface, is_free_of_intersections);
+  result.surface = std::move(checked.surface);
+  result.notes.insert(result.notes.end(), checked.notes.begin(), checked.notes.end());
+  if (auto warning = unit_warning(result.surface, options.metres_per_unit)) {
+    result.warnings.push_back(std::move(*warning));
+  }
+  result.extension.assign(result.surface.triangles.size(), -1);
+  name_and_extend(options, result);
+  return result;
+}
+
+}  // namespace
+
+PrepareResult prepare_surface(const ReadResult& input, const PrepareOptions& options) {
+  bool is_free_of_intersections = false;
+  PrepareResult result = repair_and_open(input, options, is_free_of_intersections);
+  return finish(std::move(result), options, is_free_of_intersections);
+}
+
+PrepareResult use_as_it_is(const TriangleSurface& surface, const PrepareOptions& options) {
+  PrepareResult result;
+  result.surface = surface;
+  return finish(std::move(result), options, false);
+}
+
+}  // namespace hexwall
