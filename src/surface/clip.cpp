@@ -272,14 +272,23 @@ class Cutter {
     return it->second;
   }
 
-  void add(const std::array<int, 3>& triangle, int origin, bool is_on_section) {
-    bool is_lower = false;
-    if (is_on_section) {
-      for (const int v : triangle) is_lower = is_lower || side_.at(v) < 0;
-    }
+  void add(const std::array<int, 3>& triangle, int origin, bool is_lower) {
     triangles_.push_back(triangle);
     origin_.push_back(origin);
     is_lower_.push_back(is_lower);
+  }
+
+  void add_piece(const std::array<int, 3>& triangle, int origin) {
+    add(triangle, origin,
+        std::any_of(triangle.begin(), triangle.end(), [&](int v) { return side_.at(v) < 0; }));
+  }
+
+  // A triangle beside the section lies on the side where its vertices were before they slid.
+  bool was_lower(int f) const {
+    const auto& t = surface_.triangles[f];
+    return std::any_of(t.begin(), t.end(), [&](int v) {
+      return side_.contains(v) && height(plane_, surface_.points[v]) < 0.0;
+    });
   }
 
   void split_triangles() {
@@ -289,7 +298,7 @@ class Cutter {
       if (is_on_section[f] != 0) {
         split(f);
       } else {
-        add(surface_.triangles[f], f, false);
+        add(surface_.triangles[f], f, was_lower(f));
       }
     }
   }
@@ -299,26 +308,26 @@ class Cutter {
     const auto is_cut = [&](int a, int b) { return side_.at(a) * side_.at(b) < 0; };
     const int cuts = static_cast<int>(is_cut(t[0], t[1])) + static_cast<int>(is_cut(t[1], t[2])) +
                      static_cast<int>(is_cut(t[2], t[0]));
-    if (cuts == 0) return add(t, f, true);
+    if (cuts == 0) return add_piece(t, f);
     // Corner 0 is the one in the plane, or the one that is alone on its side.
     while (cuts == 1 ? !is_cut(t[1], t[2]) : is_cut(t[1], t[2])) {
       std::rotate(t.begin(), t.begin() + 1, t.end());
     }
     if (cuts == 1) {
       const int middle = vertex_between(t[1], t[2]);
-      add({t[0], t[1], middle}, f, true);
-      add({t[0], middle, t[2]}, f, true);
+      add_piece({t[0], t[1], middle}, f);
+      add_piece({t[0], middle, t[2]}, f);
       return;
     }
     const int p = vertex_between(t[0], t[1]);
     const int q = vertex_between(t[0], t[2]);
-    add({t[0], p, q}, f, true);
+    add_piece({t[0], p, q}, f);
     if ((points_[p] - points_[t[2]]).norm() < (points_[q] - points_[t[1]]).norm()) {
-      add({p, t[1], t[2]}, f, true);
-      add({p, t[2], q}, f, true);
+      add_piece({p, t[1], t[2]}, f);
+      add_piece({p, t[2], q}, f);
     } else {
-      add({p, t[1], q}, f, true);
-      add({q, t[1], t[2]}, f, true);
+      add_piece({p, t[1], q}, f);
+      add_piece({q, t[1], t[2]}, f);
     }
   }
 
@@ -339,9 +348,10 @@ class Cutter {
     for (std::size_t f = 0; f < triangles_.size(); ++f) {
       for (int k = 0; is_lower_[f] && k < 3; ++k) {
         const std::array<int, 2> edge{triangles_[f][k], triangles_[f][(k + 1) % 3]};
-        if (!is_on_plane(edge[0]) || !is_on_plane(edge[1])) continue;
+        const int g = neighbours[f][k];
+        if (!is_on_plane(edge[0]) || !is_on_plane(edge[1]) || (g >= 0 && is_lower_[g])) continue;
         loop_edges.push_back(edge);
-        if (neighbours[f][k] >= 0) reach(neighbours[f][k]);
+        if (g >= 0) reach(g);
       }
     }
     for (std::size_t i = 0; i < upper.size(); ++i) {
@@ -383,7 +393,7 @@ class Cutter {
   std::map<std::pair<int, int>, int> between_;
   std::vector<std::array<int, 3>> triangles_;
   std::vector<int> origin_;
-  std::vector<bool> is_lower_;  // pieces of the section's triangles below the plane
+  std::vector<bool> is_lower_;  // of triangles at the section: below the plane
 };
 
 }  // namespace

@@ -100,12 +100,12 @@ class Tube {
 
   /// The point at `height`, 0 at the loop and 1 at the end.
   Vec3 at(double height, double fraction) const {
-    const auto [own, own_height] = on_loop(fraction);
+    const auto [deviation, own_height] = on_loop(fraction);
     const double s = height * length_;
     const double round = smooth_step(std::min(s / blend_, 1.0));
-    const Complex circle = std::polar(radius_, turn_ + 2.0 * pi * fraction);
+    const Complex own = circle(fraction) + (1.0 - round) * deviation;
     const double bend = s < blend_ ? s - 0.5 * s * s / blend_ : 0.5 * blend_;
-    const Complex p = (1.0 - round) * own + round * circle + bend * tilt_;
+    const Complex p = own + bend * tilt_;
     const double z = (1.0 - height) * own_height + height * (highest_ + length_);
     return center_ + p.real() * e1_ + p.imag() * e2_ + z * outward_;
   }
@@ -123,6 +123,9 @@ class Tube {
     }
   }
 
+  Complex circle(double fraction) const { return std::polar(radius_, turn_ + 2.0 * pi * fraction); }
+
+  // How far the loop is from the circle and from its mean plane, linear between vertices.
   std::pair<Complex, double> on_loop(double fraction) const {
     fraction -= std::floor(fraction);
     const auto next = std::upper_bound(fractions_.begin(), fractions_.end(), fraction);
@@ -130,7 +133,9 @@ class Tube {
     const std::size_t j = (i + 1) % fractions_.size();
     const double end = j == 0 ? 1.0 : fractions_[j];
     const double t = (fraction - fractions_[i]) / (end - fractions_[i]);
-    return {(1.0 - t) * section_[i] + t * section_[j], (1.0 - t) * heights_[i] + t * heights_[j]};
+    const Complex at_i = section_[i] - circle(fractions_[i]);
+    const Complex at_j = section_[j] - circle(end);
+    return {(1.0 - t) * at_i + t * at_j, (1.0 - t) * heights_[i] + t * heights_[j]};
   }
 
   // The turn of the circle that brings it nearest to the loop, in the sense of least squares.

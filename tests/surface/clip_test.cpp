@@ -195,7 +195,7 @@ TEST_P(RealVessels, AreCutBeforeTheirEnds) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Clip, RealVessels,
-                         testing::Values("aaa", "aneurysm", "palabos_aneurysm_open.stl",
+                         testing::Values("aneurysm", "palabos_aneurysm_open.stl",
                                          "vmtk4an_ideal_aneurysm.stl", "vampy_case71_remeshed.vtp",
                                          "vampy_left_atrium_C35_flowext.vtp",
                                          "vasp_artery_flowext.vtp", "vascularmd_ideal_quads.vtk"),
