@@ -1,8 +1,7 @@
 #include "surface/polygon_soup.h"
 
 #include <array>
-#include <bit>
-#include <cstdint>
+#include <numeric>
 #include <unordered_map>
 
 #include <fmt/format.h>
@@ -13,29 +12,10 @@
 
 #include "core/errors.h"
 #include "surface/edge_uses.h"
+#include "surface/point_bits.h"
 
 namespace hexwall {
 namespace {
-
-using PointBits = std::array<std::uint64_t, 3>;
-
-struct PointBitsHash {
-  std::size_t operator()(const PointBits& bits) const {
-    std::uint64_t hash = 0;
-    for (const std::uint64_t b : bits) {
-      hash = (hash ^ b) * 0x9e3779b97f4a7c15ULL;
-      hash ^= hash >> 32;
-    }
-    return static_cast<std::size_t>(hash);
-  }
-};
-
-// Adding 0 turns -0 into +0, the one pair of equal numbers with different bits. Comparing bits
-// instead of numbers lets a NaN equal itself, so that it reaches the check of the coordinates.
-PointBits bits_of(const Vec3& p) {
-  return {std::bit_cast<std::uint64_t>(p.x() + 0.0), std::bit_cast<std::uint64_t>(p.y() + 0.0),
-          std::bit_cast<std::uint64_t>(p.z() + 0.0)};
-}
 
 void check_polygons(const PolygonSoup& soup) {
   const int n = static_cast<int>(soup.points.size());
@@ -113,8 +93,8 @@ void close_slits(TriangleSurface& surface, std::vector<std::string>& notes) {
       count));
 }
 
-/// Returns how many there were.
-std::size_t drop_unused_points(TriangleSurface& surface) {
+/// Returns how many there were. `origin` follows the points.
+std::size_t drop_unused_points(TriangleSurface& surface, std::vector<int>& origin) {
   std::vector<int> renumbered(surface.points.size(), -1);
   for (const auto& t : surface.triangles) {
     for (const int v : t) renumbered[v] = 0;
@@ -123,11 +103,12 @@ std::size_t drop_unused_points(TriangleSurface& surface) {
   for (std::size_t v = 0; v < renumbered.size(); ++v) {
     if (renumbered[v] < 0) continue;
     surface.points[used] = surface.points[v];
+    origin[used] = origin[v];
     renumbered[v] = used++;
   }
   const std::size_t unused = surface.points.size() - static_cast<std::size_t>(used);
-  if (unused == 0) return 0;
   surface.points.resize(used);
+  origin.resize(used);
   for (auto& t : surface.triangles) {
     for (int& v : t) v = renumbered[v];
   }
@@ -139,22 +120,29 @@ std::size_t drop_unused_points(TriangleSurface& surface) {
 void weld_equal_points(PolygonSoup& soup) {
   std::unordered_map<PointBits, int, PointBitsHash> first;
   std::vector<int> welded(soup.points.size());
+  std::vector<int> origin;
   std::vector<Vec3> points;
   for (std::size_t v = 0; v < soup.points.size(); ++v) {
     const auto [it, is_new] =
         first.try_emplace(bits_of(soup.points[v]), static_cast<int>(points.size()));
-    if (is_new) points.push_back(soup.points[v]);
+    if (is_new) {
+      points.push_back(soup.points[v]);
+      origin.push_back(static_cast<int>(v));
+    }
     welded[v] = it->second;
   }
   soup.points = std::move(points);
+  soup.point_arrays = follow(soup.point_arrays, origin);
   for (auto& polygon : soup.polygons) {
     for (int& v : polygon) v = welded[v];
   }
 }
 
-TriangleSurface triangulate(PolygonSoup& soup) {
+TriangulateResult triangulate(PolygonSoup& soup) {
   check_polygons(soup);
-  TriangleSurface surface{std::move(soup.points), {}};
+  TriangulateResult result;
+  TriangleSurface& surface = result.surface;
+  surface.points = std::move(soup.points);
   int quads = 0;
   int polygons = 0;
   for (std::size_t f = 0; f < soup.polygons.size(); ++f) {
@@ -168,6 +156,7 @@ TriangleSurface triangulate(PolygonSoup& soup) {
       cut_ears(surface.points, corners, f, surface.triangles);
       ++polygons;
     }
+    result.triangle_origin.resize(surface.triangles.size(), static_cast<int>(f));
   }
   if (surface.triangles.empty()) throw ReadError("the file holds no triangles");
   if (quads > 0) {
@@ -176,12 +165,14 @@ TriangleSurface triangulate(PolygonSoup& soup) {
   if (polygons > 0) {
     soup.notes.push_back(fmt::format("{} polygons were split into triangles", polygons));
   }
-  if (const std::size_t unused = drop_unused_points(surface); unused > 0) {
+  result.point_origin.resize(surface.points.size());
+  std::iota(result.point_origin.begin(), result.point_origin.end(), 0);
+  if (const std::size_t unused = drop_unused_points(surface, result.point_origin); unused > 0) {
     soup.notes.push_back(fmt::format("{} points that no triangle uses were left out", unused));
   }
   close_slits(surface, soup.notes);
-  drop_unused_points(surface);
-  return surface;
+  drop_unused_points(surface, result.point_origin);
+  return result;
 }
 
 }  // namespace hexwall

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iterator>
 #include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -85,7 +86,10 @@ ReadResult read_surface(const fs::path& path) {
     check_file(path);
     PolygonSoup soup = format_of(path).read(path);
     ReadResult result;
-    result.surface = triangulate(soup);
+    TriangulateResult triangulated = triangulate(soup);
+    result.surface = std::move(triangulated.surface);
+    result.point_arrays = follow(soup.point_arrays, triangulated.point_origin);
+    result.cell_arrays = follow(soup.polygon_arrays, triangulated.triangle_origin);
     result.notes = std::move(soup.notes);
     return result;
   } catch (const ReadError& error) {

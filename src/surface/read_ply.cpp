@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -178,17 +179,22 @@ Header parse_header(Source& source) {
 }
 
 /// What becomes of the values of a property.
-enum class Role { skipped, x, y, z, corners };
+enum class Role { skipped, x, y, z, corners, array };
 
 Role role_of(const Element& element, const Property& property) {
-  if (element.name == "vertex" && !property.count_type) {
-    if (property.name == "x") return Role::x;
-    if (property.name == "y") return Role::y;
-    if (property.name == "z") return Role::z;
+  const std::string_view name = property.name;
+  if (element.name != "vertex" && element.name != "face") return Role::skipped;
+  if (property.count_type) {
+    const bool is_corners = name == "vertex_indices" || name == "vertex_index";
+    return element.name == "face" && is_corners ? Role::corners : Role::skipped;
   }
-  const bool is_corners = property.name == "vertex_indices" || property.name == "vertex_index";
-  return element.name == "face" && property.count_type && is_corners ? Role::corners
-                                                                     : Role::skipped;
+  if (name == "nx" || name == "ny" || name == "nz") return Role::skipped;
+  if (element.name == "vertex") {
+    if (name == "x") return Role::x;
+    if (name == "y") return Role::y;
+    if (name == "z") return Role::z;
+  }
+  return Role::array;
 }
 
 void read_list(Source& source, const Property& property, Encoding encoding,
@@ -202,9 +208,21 @@ void read_list(Source& source, const Property& property, Encoding encoding,
   }
 }
 
+std::vector<SurfaceArray>& arrays_of(const Element& element, PolygonSoup& soup) {
+  return element.name == "face" ? soup.polygon_arrays : soup.point_arrays;
+}
+
+void add_arrays(const Element& element, PolygonSoup& soup) {
+  for (const Property& property : element.properties) {
+    if (role_of(element, property) != Role::array) continue;
+    arrays_of(element, soup).push_back({std::string(property.name), 1, {}});
+  }
+}
+
 void read_row(Source& source, const Element& element, Encoding encoding, PolygonSoup& soup) {
   if (element.name == "vertex") soup.points.push_back(Vec3::Zero());
   if (element.name == "face") soup.polygons.emplace_back();
+  auto array = arrays_of(element, soup).begin();
   for (const Property& property : element.properties) {
     const Role role = role_of(element, property);
     if (property.count_type) {
@@ -216,12 +234,17 @@ void read_row(Source& source, const Element& element, Encoding encoding, Polygon
     if (role == Role::x) soup.points.back().x() = value;
     if (role == Role::y) soup.points.back().y() = value;
     if (role == Role::z) soup.points.back().z() = value;
+    if (role == Role::array) (array++)->values.push_back(value);
   }
 }
 
-void check_has_coordinates(const Header& header) {
-  std::array<bool, 5> found{};
+void check_elements(const Header& header) {
+  std::array<bool, 6> found{};
+  std::set<std::string_view> names;
   for (const Element& element : header.elements) {
+    if (!names.insert(element.name).second) {
+      throw ReadError(fmt::format("the element '{}' is announced twice", element.name));
+    }
     if (element.name == "tristrips") throw ReadError("triangle strips in PLY cannot be read");
     for (const Property& p : element.properties) {
       found[static_cast<std::size_t>(role_of(element, p))] = true;
@@ -239,10 +262,11 @@ void check_has_coordinates(const Header& header) {
 PolygonSoup parse_ply(const std::string& content) {
   Source source(content);
   const Header header = parse_header(source);
-  check_has_coordinates(header);
+  check_elements(header);
   PolygonSoup soup;
   for (const Element& element : header.elements) {
     if (element.properties.empty()) continue;
+    add_arrays(element, soup);
     for (std::size_t row = 0; row < element.count; ++row) {
       try {
         read_row(source, element, header.encoding, soup);

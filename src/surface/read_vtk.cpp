@@ -1,11 +1,14 @@
 #include "surface/read_vtk.h"
 
 #include <fmt/format.h>
+#include <vtkCellData.h>
 #include <vtkCellType.h>
+#include <vtkDataArray.h>
 #include <vtkDataSet.h>
 #include <vtkDataSetReader.h>
 #include <vtkIdList.h>
 #include <vtkNew.h>
+#include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkXMLPolyDataReader.h>
 
@@ -34,10 +37,48 @@ void add_strip(const std::vector<int>& strip, std::vector<std::vector<int>>& pol
   }
 }
 
+SurfaceArray values_of(vtkDataArray* array) {
+  SurfaceArray result{array->GetName(), array->GetNumberOfComponents(), {}};
+  result.values.reserve(array->GetNumberOfValues());
+  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i) {
+    for (int k = 0; k < result.components; ++k) {
+      result.values.push_back(array->GetComponent(i, k));
+    }
+  }
+  return result;
+}
+
+std::vector<SurfaceArray> arrays_of(vtkDataSetAttributes* data, vtkIdType tuples,
+                                    std::vector<std::string>& notes) {
+  std::vector<SurfaceArray> result;
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i) {
+    vtkDataArray* array = data->GetArray(i);  // null if it does not hold numbers
+    if (array == nullptr || array->GetName() == nullptr || array->GetNumberOfComponents() < 1) {
+      continue;
+    }
+    if (array->GetNumberOfTuples() != tuples) {
+      notes.push_back(fmt::format("the array '{}' was ignored: it has {} tuples instead of {}",
+                                  array->GetName(), array->GetNumberOfTuples(), tuples));
+      continue;
+    }
+    result.push_back(values_of(array));
+  }
+  return result;
+}
+
 struct Ignored {
   int lower = 0;   ///< vertices and lines
   int higher = 0;  ///< volume cells, curved cells
 };
+
+void note_ignored(const Ignored& ignored, std::vector<std::string>& notes) {
+  if (ignored.lower > 0) {
+    notes.push_back(fmt::format("{} vertex and line cells were ignored", ignored.lower));
+  }
+  if (ignored.higher > 0) {
+    notes.push_back(fmt::format("{} volume or curved cells were ignored", ignored.higher));
+  }
+}
 
 void add_cell(vtkDataSet* data, vtkIdType cell, vtkIdList* ids, PolygonSoup& soup,
               Ignored& ignored) {
@@ -74,16 +115,16 @@ PolygonSoup soup_of(vtkDataSet* data) {
     data->GetPoint(static_cast<vtkIdType>(v), soup.points[v].data());
   }
   Ignored ignored;
+  std::vector<int> cell_of_polygon;
   vtkNew<vtkIdList> ids;
   for (vtkIdType cell = 0; cell < data->GetNumberOfCells(); ++cell) {
     add_cell(data, cell, ids, soup, ignored);
+    cell_of_polygon.resize(soup.polygons.size(), static_cast<int>(cell));
   }
-  if (ignored.lower > 0) {
-    soup.notes.push_back(fmt::format("{} vertex and line cells were ignored", ignored.lower));
-  }
-  if (ignored.higher > 0) {
-    soup.notes.push_back(fmt::format("{} volume or curved cells were ignored", ignored.higher));
-  }
+  note_ignored(ignored, soup.notes);
+  soup.point_arrays = arrays_of(data->GetPointData(), data->GetNumberOfPoints(), soup.notes);
+  soup.polygon_arrays =
+      follow(arrays_of(data->GetCellData(), data->GetNumberOfCells(), soup.notes), cell_of_polygon);
   return soup;
 }
 
@@ -107,6 +148,14 @@ PolygonSoup read_vtp(const std::filesystem::path& path) {
 
 PolygonSoup read_legacy_vtk(const std::filesystem::path& path) {
   vtkNew<vtkDataSetReader> reader;
+  // Of each kind of array it reads only the first one unless told otherwise.
+  reader->ReadAllScalarsOn();
+  reader->ReadAllVectorsOn();
+  reader->ReadAllNormalsOn();
+  reader->ReadAllTensorsOn();
+  reader->ReadAllColorScalarsOn();
+  reader->ReadAllTCoordsOn();
+  reader->ReadAllFieldsOn();
   return read_with(reader.Get(), path);
 }
 

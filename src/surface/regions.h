@@ -1,0 +1,54 @@
+#pragma once
+
+#include <array>
+#include <functional>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "surface/triangle_surface.h"
+
+/// Parts of a surface that need not be manifold or consistently wound.
+namespace hexwall {
+
+/// Neighbours of a triangle over its sides; side k runs from corner k to corner k + 1.
+using FaceNeighbours = std::array<int, 3>;
+inline constexpr int no_neighbour = -1;     ///< a boundary
+inline constexpr int many_neighbours = -2;  ///< an edge with more than two triangles
+
+/// #F.
+std::vector<FaceNeighbours> face_neighbours(const std::vector<std::array<int, 3>>& triangles);
+
+/// Triangles reached from `seed` over sides whose far triangle `joins`. Starts with `seed`.
+std::vector<int> grow_region(int seed, const std::vector<FaceNeighbours>& neighbours,
+                             const std::function<bool(int)>& joins);
+
+/// The one simple cycle that edges form, from its lowest vertex; nothing if they form another
+/// graph.
+std::optional<std::vector<int>> single_cycle(const std::vector<std::array<int, 2>>& edges);
+
+/// A region that is a topological disk within the surface.
+struct Disk {
+  std::vector<int> triangles;
+  std::vector<int> rim;  ///< vertex cycle, in either direction
+  struct Side {
+    int triangle, side, outside;
+  };
+  std::vector<Side> sides;  ///< along the rim, with the triangle on the other side
+};
+
+/// The disk that a region is: connected, Euler number 1, one simple rim with one triangle on the
+/// other side of each edge. Nothing if it is none. \pre the region is connected over edges.
+std::optional<Disk> as_disk(const TriangleSurface& surface,
+                            const std::vector<FaceNeighbours>& neighbours,
+                            std::vector<int> triangles);
+
+struct Part {
+  TriangleSurface surface;
+  std::vector<int> number;  ///< of each vertex of the whole, -1 if it is not used
+};
+
+/// Some of the triangles of a surface, in the order given, with the points that they use.
+Part part_of(const TriangleSurface& surface, const std::vector<int>& triangles);
+
+}  // namespace hexwall
