@@ -10,6 +10,7 @@
 
 #include "core/errors.h"
 #include "foliation/local_radius.h"
+#include "surface/loop_shape.h"
 #include "surface/projector.h"
 #include "warnings.h"
 
@@ -49,7 +50,7 @@ void find_openings(const PrepareResult& input, PipelineResult& r) {
   r.connectivity = Connectivity(static_cast<int>(r.surface.points.size()), r.surface.triangles);
   const auto& loops = r.connectivity.loops();
   std::vector<LoopPlane> planes;
-  for (const auto& loop : loops) planes.push_back(fit_plane(loop_points(r.surface, loop)));
+  for (const auto& loop : loops) planes.push_back(fit_plane(points_of(r.surface, loop)));
   std::vector<int> order;
   for (const NamedPlace& opening : input.openings) {
     const auto nearest =
@@ -58,7 +59,7 @@ void find_openings(const PrepareResult& input, PipelineResult& r) {
         });
     order.push_back(static_cast<int>(nearest - planes.begin()));
     r.openings.push_back(
-        {opening.name, loop_length(loop_points(r.surface, loops[order.back()])), *nearest});
+        {opening.name, loop_shape(points_of(r.surface, loops[order.back()])).length, *nearest});
   }
   r.connectivity.reorder_loops(order);
 }

@@ -7,7 +7,7 @@
 
 #include "dec/operators.h"
 #include "holomorphic/energy.h"
-#include "surface/loop_plane.h"
+#include "surface/loop_shape.h"
 
 namespace hexwall {
 namespace {
@@ -98,7 +98,7 @@ FormSolution solve_form(const FormProblem& problem, const std::vector<SurfaceDis
   const auto energy = area_energy({s.refined.surface, s.refined.parent_face, face_count, g, rho});
   std::vector<double> lengths;
   for (const auto& loop : s.connectivity.loops()) {
-    lengths.push_back(loop_length(loop_points(s.refined.surface, loop)));
+    lengths.push_back(loop_shape(points_of(s.refined.surface, loop)).length);
   }
   s.optimum = optimal_form(*energy, lengths, s.basis.exterior);
   s.form = combine(s.connectivity, s.basis, s.optimum.lambda);

@@ -30,19 +30,4 @@ LoopPlane fit_plane(const std::vector<Vec3>& loop) {
   return plane;
 }
 
-std::vector<Vec3> loop_points(const TriangleSurface& surface, const std::vector<int>& loop) {
-  std::vector<Vec3> points;
-  points.reserve(loop.size());
-  for (const int v : loop) points.push_back(surface.points[v]);
-  return points;
-}
-
-double loop_length(const std::vector<Vec3>& loop) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < loop.size(); ++i) {
-    sum += (loop[(i + 1) % loop.size()] - loop[i]).norm();
-  }
-  return sum;
-}
-
 }  // namespace hexwall

@@ -17,10 +17,4 @@ struct LoopPlane {
 };
 LoopPlane fit_plane(const std::vector<Vec3>& loop);
 
-/// Positions of the vertices of a loop.
-std::vector<Vec3> loop_points(const TriangleSurface& surface, const std::vector<int>& loop);
-
-/// Length of a closed polyline.
-double loop_length(const std::vector<Vec3>& loop);
-
 }  // namespace hexwall

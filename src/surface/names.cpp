@@ -77,16 +77,18 @@ nlohmann::json parse_file(const std::filesystem::path& path) {
   }
 }
 
-std::size_t nearest_opening(const NamedPlace& place, const std::vector<Vec3>& centers,
-                            const std::vector<double>& radii) {
+std::optional<std::size_t> opening_at(const Vec3& at, const std::vector<Vec3>& centers,
+                                      const std::vector<double>& radii) {
   const auto nearest =
       std::min_element(centers.begin(), centers.end(), [&](const Vec3& a, const Vec3& b) {
-        return (a - place.at).squaredNorm() < (b - place.at).squaredNorm();
+        return (a - at).squaredNorm() < (b - at).squaredNorm();
       });
   const auto i = static_cast<std::size_t>(nearest - centers.begin());
-  if (nearest != centers.end() && (*nearest - place.at).norm() <= greatest_distance * radii[i]) {
-    return i;
-  }
+  const bool is_near = i < centers.size() && (*nearest - at).norm() <= greatest_distance * radii[i];
+  return is_near ? std::optional(i) : std::nullopt;
+}
+
+[[noreturn]] void refuse_far(const NamedPlace& place, const std::vector<Vec3>& centers) {
   std::string list;
   for (const Vec3& c : centers) list += fmt::format(" ({:.6g}, {:.6g}, {:.6g})", c[0], c[1], c[2]);
   throw UsageError(fmt::format("no opening is near '{}' at ({:.6g}, {:.6g}, {:.6g}): they are at{}",
@@ -105,10 +107,13 @@ std::vector<NamedPlace> read_names(const std::filesystem::path& path) {
 
 std::vector<std::string> assign_names(const std::vector<Vec3>& centers,
                                       const std::vector<double>& radii,
-                                      const std::vector<NamedPlace>& places) {
+                                      const std::vector<NamedPlace>& places,
+                                      const std::vector<NamedPlace>& defaults) {
   std::vector<std::string> names(centers.size());
   for (const NamedPlace& place : places) {
-    std::string& name = names[nearest_opening(place, centers, radii)];
+    const auto opening = opening_at(place.at, centers, radii);
+    if (!opening) refuse_far(place, centers);
+    std::string& name = names[*opening];
     if (!name.empty()) {
       throw UsageError(
           fmt::format("'{}' and '{}' name the same opening: the one at the place of "
@@ -116,6 +121,11 @@ std::vector<std::string> assign_names(const std::vector<Vec3>& centers,
                       name, place.name));
     }
     name = place.name;
+  }
+  for (const NamedPlace& place : defaults) {
+    const auto opening = opening_at(place.at, centers, radii);
+    const bool is_taken = std::find(names.begin(), names.end(), place.name) != names.end();
+    if (opening && names[*opening].empty() && !is_taken) names[*opening] = place.name;
   }
   std::set<std::string> used;
   for (std::size_t i = 0; i < names.size(); ++i) {

@@ -19,12 +19,14 @@ struct NamedPlace {
 /// a name is invalid or occurs twice.
 std::vector<NamedPlace> read_names(const std::filesystem::path& path);
 
-/// One name per opening: that of the place whose nearest opening it is, or else `loop_0`, `loop_1`
-/// … by its number. \throws UsageError if two places have the same nearest opening, a place is
-/// farther from the centre of its opening than 3 radii, or two openings would have the same name.
+/// One name per opening: that of the place whose nearest opening it is, or else that of a default
+/// that fits (the name of an opened cap, at its centre), or else `loop_0`, `loop_1` … by its
+/// number. \throws UsageError if two places have the same nearest opening, a place is farther from
+/// the centre of its opening than 3 radii, or two openings would have the same name.
 std::vector<std::string> assign_names(const std::vector<Vec3>& centers,
                                       const std::vector<double>& radii,
-                                      const std::vector<NamedPlace>& places);
+                                      const std::vector<NamedPlace>& places,
+                                      const std::vector<NamedPlace>& defaults = {});
 
 /// Whether OpenFOAM takes a name as that of a patch, and no other patch of a wall has it: letters,
 /// digits, '_', '-' and '.', not beginning with a digit, '-' or '.'; not inner_wall or outer_wall.

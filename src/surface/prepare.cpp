@@ -9,6 +9,7 @@
 #include "surface/connectivity.h"
 #include "surface/extend.h"
 #include "surface/loop_plane.h"
+#include "surface/loop_shape.h"
 #include "surface/units.h"
 
 namespace hexwall {
@@ -26,7 +27,7 @@ void add_repairs(const RepairResult& repaired, PrepareResult& result) {
 std::vector<int> longest_first(const TriangleSurface& surface, const Connectivity& mesh) {
   std::vector<double> lengths;
   for (const auto& loop : mesh.loops()) {
-    lengths.push_back(loop_length(loop_points(surface, loop)));
+    lengths.push_back(loop_shape(points_of(surface, loop)).length);
   }
   std::vector<int> order(lengths.size());
   std::iota(order.begin(), order.end(), 0);
@@ -42,7 +43,7 @@ void name_and_extend(const PrepareOptions& options, PrepareResult& result) {
   std::vector<Vec3> centers;
   std::vector<double> radii;
   for (const int loop : order) {
-    const LoopPlane plane = fit_plane(loop_points(result.surface, mesh.loops()[loop]));
+    const LoopPlane plane = fit_plane(points_of(result.surface, mesh.loops()[loop]));
     centers.push_back(plane.center);
     radii.push_back(plane.radius);
   }
@@ -58,7 +59,7 @@ void name_and_extend(const PrepareOptions& options, PrepareResult& result) {
                               result.surface.triangles);
     for (std::size_t i = 0; i < order.size(); ++i) {
       const int loop = longer.loop_of_vertex(extended.end_vertex[order[i]]);
-      centers[i] = fit_plane(loop_points(result.surface, longer.loops()[loop])).center;
+      centers[i] = fit_plane(points_of(result.surface, longer.loops()[loop])).center;
     }
     std::vector<int> number(order.size());
     for (std::size_t i = 0; i < order.size(); ++i) number[order[i]] = static_cast<int>(i);
