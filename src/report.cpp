@@ -70,14 +70,11 @@ Json input_json(const PipelineResult& r, const ReportContext& context) {
                      {"normal", vector_json(opening.plane.normal)},
                      {"planar", opening.plane.is_planar()}});
   }
-  return {{"file", context.input_file},
-          {"vertices", r.surface.points.size()},
-          {"faces", r.surface.triangles.size()},
-          {"loops", r.openings.size()},
-          {"area", total_area(r.surface)},
-          {"bounding_box_diagonal", bounding_box_diagonal(r.surface)},
-          {"openings", std::move(loops)},
-          {"notes", context.notes}};
+  return {
+      {"file", context.input_file},    {"vertices", context.vertices},
+      {"faces", context.faces},        {"loops", r.openings.size()},
+      {"area", total_area(r.surface)}, {"bounding_box_diagonal", bounding_box_diagonal(r.surface)},
+      {"openings", std::move(loops)},  {"notes", context.prepared->notes}};
 }
 
 Json energy_json(const OptimumResult& optimum) {
@@ -173,12 +170,38 @@ Json seconds_json(const PipelineResult& r, const ReportContext& context) {
 
 }  // namespace
 
+nlohmann::ordered_json preparation_json(const PrepareResult& prepared) {
+  Json repairs = Json::array();
+  for (const RepairAction& action : prepared.repairs) {
+    repairs.push_back(
+        {{"step", std::string(name(action.step))}, {"count", action.count}, {"text", action.text}});
+  }
+  Json opened = Json::array();
+  for (const OpenedCap& cap : prepared.opened) {
+    opened.push_back({{"name", cap.name},
+                      {"how", cap.how},
+                      {"center", vector_json(cap.center)},
+                      {"normal", vector_json(cap.normal)},
+                      {"radius", cap.radius},
+                      {"area", cap.area}});
+  }
+  const auto extended = std::count_if(prepared.extension.begin(), prepared.extension.end(),
+                                      [](int e) { return e >= 0; });
+  return {{"vertices", prepared.surface.points.size()},
+          {"faces", prepared.surface.triangles.size()},
+          {"repairs", std::move(repairs)},
+          {"distance_moved", prepared.moved},
+          {"opened", std::move(opened)},
+          {"extension_faces", extended}};
+}
+
 nlohmann::ordered_json make_report(const PipelineResult& r, const ReportContext& context) {
   Json report;
   report["report_version"] = report_version;
   report["hexwall_version"] = version();
   report["options"] = options_json(r.options, context.units);
   report["input"] = input_json(r, context);
+  report["preparation"] = preparation_json(*context.prepared);
   report["refined"] = {{"vertices", r.solution.refined.surface.points.size()},
                        {"faces", r.solution.refined.surface.triangles.size()},
                        {"splits", r.solution.refined.splits},

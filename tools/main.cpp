@@ -1,17 +1,18 @@
 // The program. Sample runs:
 //
 //   hexwall mesh aneurysm.stl -o out --size 0.8 --thickness 0.5 --layers 3
+//   hexwall check carotid.vtp
 //   hexwall generate aaa -o aaa.stl
 //
 // `mesh` reads a vessel surface, runs the pipeline and writes the quad mesh, the hexahedral wall,
-// an OpenFOAM case and a report. `generate` makes surfaces to try it on.
+// an OpenFOAM case and a report. `check` says what is wrong with a surface. `generate` makes
+// surfaces to try it on.
 
 #include <charconv>
 #include <chrono>
 #include <exception>
 #include <filesystem>
 #include <functional>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -25,10 +26,12 @@
 #include <spdlog/spdlog.h>
 #include <tbb/global_control.h>
 
+#include "check_command.h"
 #include "core/errors.h"
 #include "exporters/formats.h"
 #include "exporters/output_file.h"
 #include "exporters/results.h"
+#include "input_options.h"
 #include "output_folder.h"
 #include "pipeline.h"
 #include "progress_display.h"
@@ -36,6 +39,7 @@
 #include "surface/generate.h"
 #include "surface/read.h"
 #include "surface/read_points.h"
+#include "surface/transfer.h"
 #include "surface/write.h"
 
 namespace hexwall {
@@ -43,14 +47,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::map<std::string, double> metres_per_unit{
-    {"mm", 1e-3}, {"cm", 1e-2}, {"m", 1.0}, {"um", 1e-6}};
-
 struct MeshCommand {
-  std::string surface;
+  InputOptions input;
   std::string output;
   PipelineOptions pipeline;
-  std::string units = "mm";
+  std::string size_field;
   std::string poles = "auto";
   std::string size_by = "constant";
   std::vector<std::string> write{"vtu", "openfoam"};
@@ -74,10 +75,7 @@ std::vector<std::string> format_names() {
 
 CLI::App* add_mesh(CLI::App& app, MeshCommand& c) {
   CLI::App* mesh = app.add_subcommand("mesh", "Mesh the wall of a vessel with hexahedra");
-  mesh->add_option("SURFACE", c.surface,
-                   "Triangle surface with open ends: STL, OBJ, PLY, OFF, "
-                   "VTP, VTK")
-      ->required();
+  add_input_options(*mesh, c.input);
   mesh->add_option("-o,--output", c.output, "Folder for the results")->required();
   mesh->add_option("--size", c.pipeline.size,
                    "Target quad edge length, in input units [sqrt(area / 20000)]");
@@ -86,9 +84,6 @@ CLI::App* add_mesh(CLI::App& app, MeshCommand& c) {
   mesh->add_option("--layers", c.pipeline.layers, "Hexes through the wall")->capture_default_str();
   mesh->add_option("--growth", c.pipeline.growth,
                    "Height ratio of successive layers, from the lumen outward")
-      ->capture_default_str();
-  mesh->add_option("--units", c.units, "Unit of the input")
-      ->check(CLI::IsMember({"mm", "cm", "m", "um"}))
       ->capture_default_str();
   mesh->add_option("--relax", c.pipeline.relax, "Quad sizes: 0 conformal … 1 even")
       ->capture_default_str();
@@ -99,6 +94,8 @@ CLI::App* add_mesh(CLI::App& app, MeshCommand& c) {
   mesh->add_option("--size-by", c.size_by, "Target edges: constant, or proportional to the radius")
       ->check(CLI::IsMember({"constant", "radius"}))
       ->capture_default_str();
+  mesh->add_option("--size-field", c.size_field,
+                   "Point array of the input: factors on the target edge length");
   mesh->add_option("--write", c.write, "Hex mesh formats, separated by commas")
       ->delimiter(',')
       ->check(CLI::IsMember(format_names()))
@@ -140,8 +137,18 @@ void write_results(const MeshCommand& c, const PipelineResult& result, const fs:
   if (c.write_basis) write_vtp(folder / "basis.vtp", basis_data(result));
   for (const Format& format : hex_mesh_formats()) {
     if (!writes(c, format.name)) continue;
-    format.write(folder / format.output, result, metres_per_unit.at(c.units));
+    format.write(folder / format.output, result, metres_per_unit(c.input.units));
   }
+}
+
+const SurfaceArray& scalar_array(const ReadResult& read, const std::string& name) {
+  std::string known;
+  for (const SurfaceArray& array : read.point_arrays) {
+    if (array.name == name && array.components == 1) return array;
+    known += (known.empty() ? "" : ", ") + array.name;
+  }
+  throw UsageError(fmt::format("the input has no scalar point array '{}'. It has: {}", name,
+                               known.empty() ? "none" : known));
 }
 
 PoleRequest pole_request(const std::string& text) {
@@ -170,22 +177,32 @@ void run_mesh(const MeshCommand& c, spdlog::logger& log) {
   }
   OutputFolder folder(c.output);
   ProgressDisplay progress(!c.quiet);
-  ReportContext context{c.surface, c.units, {}, {}};
-  ReadResult read;
-  context.io_times.push_back({"read", timed([&] { read = read_surface(c.surface); })});
-  context.notes = read.notes;
+  const PrepareOptions preparation = prepare_options(c.input);
   PipelineOptions options = c.pipeline;
   options.poles = pole_request(c.poles);
   options.size_by_radius = c.size_by == "radius";
+  ReportContext context{c.input.surface, c.input.units, 0, 0, nullptr, {}};
+  ReadResult read;
+  PrepareResult prepared;
+  context.io_times.push_back({"read", timed([&] { read = read_surface(c.input.surface); })});
+  context.vertices = static_cast<int>(read.surface.points.size());
+  context.faces = static_cast<int>(read.surface.triangles.size());
+  context.io_times.push_back(
+      {"prepare", timed([&] { prepared = prepare_surface(read, preparation); })});
+  context.prepared = &prepared;
+  if (!c.size_field.empty()) {
+    options.size_field =
+        transfer_point_array(scalar_array(read, c.size_field), read.surface, prepared.surface);
+  }
   const PipelineResult result = run_pipeline(
-      read.surface, options,
+      prepared, options,
       [&](const std::string& stage, int index, int count) { progress.show(stage, index, count); });
   context.io_times.push_back({"write", timed([&] { write_results(c, result, folder.staging()); })});
   write_output_file(folder.staging() / "report.json", make_report(result, context).dump(2) + "\n");
   folder.commit();
   progress.finish();
-  for (const std::string& note : context.notes) log.info("  {:<10} {}", "note", note);
-  log.info("{}  {:<10} {}", summary(result, c.units), "results", folder.path().string());
+  for (const std::string& note : prepared.notes) log.info("  {:<10} {}", "note", note);
+  log.info("{}  {:<10} {}", summary(result, c.input.units), "results", folder.path().string());
   for (const std::vector<StageTime>* times : {&std::as_const(context).io_times, &result.times}) {
     for (const StageTime& time : *times) log.debug("  {:<10} {:.3f} s", time.stage, time.seconds);
   }
@@ -212,7 +229,9 @@ int run(int argc, char** argv) {
       "4 topology of the surface, 5 geometry of the surface, 6 no valid mesh, 7 output.");
   MeshCommand mesh;
   GenerateCommand generate;
+  CheckCommand check;
   const CLI::App* mesh_app = add_mesh(app, mesh);
+  const CLI::App* check_app = add_check(app, check);
   add_generate(app, generate);
   try {
     app.parse(argc, argv);
@@ -226,6 +245,8 @@ int run(int argc, char** argv) {
   try {
     if (mesh_app->parsed()) {
       run_mesh(mesh, log);
+    } else if (check_app->parsed()) {
+      return static_cast<int>(run_check(check));
     } else {
       run_generate(generate);
     }

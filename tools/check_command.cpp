@@ -1,0 +1,169 @@
+#include "check_command.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "exporters/output_file.h"
+#include "exporters/vtk_files.h"
+#include "output_folder.h"
+#include "report.h"
+#include "surface/check.h"
+#include "surface/read.h"
+
+namespace hexwall {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// What is known of a surface in the end.
+struct Diagnosis {
+  ReadResult read;
+  std::vector<Problem> problems;  ///< of the surface as it comes
+  std::optional<PrepareResult> prepared;
+  ExitCode verdict = ExitCode::success;
+  std::string reason;  ///< of the refusal
+};
+
+Diagnosis diagnose(const CheckCommand& command) {
+  Diagnosis d;
+  const PrepareOptions options = prepare_options(command.input);
+  d.read = read_surface(command.input.surface);
+  d.problems = find_problems(d.read.surface);
+  try {
+    d.prepared = prepare_surface(d.read, options);
+  } catch (const TopologyError& error) {
+    d.verdict = error.code();
+    d.reason = error.what();
+  } catch (const GeometryError& error) {
+    d.verdict = error.code();
+    d.reason = error.what();
+  }
+  return d;
+}
+
+Json problems_json(const std::vector<Problem>& problems) {
+  Json list = Json::array();
+  for (const Problem& problem : problems) {
+    Json places = Json::array();
+    for (const Vec3& p : problem.places) places.push_back({p.x(), p.y(), p.z()});
+    list.push_back(
+        {{"kind", problem.kind}, {"message", problem.message}, {"places", std::move(places)}});
+  }
+  return list;
+}
+
+Json to_json(const CheckCommand& command, const Diagnosis& d) {
+  Json json = {{"hexwall_version", version()},
+               {"input",
+                {{"file", command.input.surface},
+                 {"vertices", d.read.surface.points.size()},
+                 {"faces", d.read.surface.triangles.size()},
+                 {"notes", d.read.notes}}},
+               {"problems", problems_json(d.problems)},
+               {"meshable", d.verdict == ExitCode::success},
+               {"exit_code", static_cast<int>(d.verdict)},
+               {"reason", d.reason}};
+  if (d.prepared) json["preparation"] = preparation_json(*d.prepared);
+  return json;
+}
+
+void print_words(const CheckCommand& command, const Diagnosis& d) {
+  const auto line = [](const std::string& label, const std::string& text) {
+    fmt::print("  {:<10} {}\n", label, text);
+  };
+  fmt::print("{}\n", command.input.surface);
+  line("read", fmt::format("{} vertices, {} triangles", d.read.surface.points.size(),
+                           d.read.surface.triangles.size()));
+  for (const Problem& problem : d.problems) line("problem", problem.message);
+  if (d.problems.empty()) line("problem", "none as it comes");
+  if (!d.prepared) {
+    line("verdict", "refused: " + d.reason);
+    return;
+  }
+  for (const std::string& note : d.prepared->notes) line("done", note);
+  if (d.prepared->moved > 0.0) {
+    line("moved",
+         fmt::format("by repairs: {:.3g} {} at most", d.prepared->moved, command.input.units));
+  }
+  for (const std::string& warning : d.prepared->warnings) line("warning", warning);
+  for (const NamedPlace& opening : d.prepared->openings) {
+    line("opening", fmt::format("{} at ({:.6g}, {:.6g}, {:.6g})", opening.name, opening.at.x(),
+                                opening.at.y(), opening.at.z()));
+  }
+  line("verdict", fmt::format("can be meshed: {} vertices, {} triangles, {} openings",
+                              d.prepared->surface.points.size(),
+                              d.prepared->surface.triangles.size(), d.prepared->openings.size()));
+}
+
+// A vertex for each place of a problem or repair.
+PolyData places_data(const Diagnosis& d) {
+  PolyData data;
+  std::vector<int> kinds;
+  FieldStrings names{"kind_names", {}};
+  const auto add = [&](const std::string& kind, const std::vector<Vec3>& places) {
+    const auto known = std::find(names.values.begin(), names.values.end(), kind);
+    const auto number = static_cast<int>(known - names.values.begin());
+    if (known == names.values.end()) names.values.push_back(kind);
+    for (const Vec3& p : places) {
+      data.vertices.add(std::array{static_cast<int>(data.points.size())});
+      data.points.push_back(p);
+      kinds.push_back(number);
+    }
+  };
+  for (const Problem& problem : d.problems) add(problem.kind, problem.places);
+  if (d.prepared) {
+    for (const RepairAction& action : d.prepared->repairs) {
+      add("repair_" + std::string(name(action.step)), action.places);
+    }
+  }
+  data.cell_arrays.push_back({"kind", 1, std::move(kinds)});
+  data.strings.push_back(std::move(names));
+  return data;
+}
+
+PolyData prepared_data(const PrepareResult& prepared) {
+  PolyData data;
+  data.points = prepared.surface.points;
+  data.polygons.reserve(prepared.surface.triangles.size(), 3);
+  for (const auto& triangle : prepared.surface.triangles) data.polygons.add(triangle);
+  data.cell_arrays.push_back({"extension", 1, prepared.extension});
+  return data;
+}
+
+}  // namespace
+
+CLI::App* add_check(CLI::App& app, CheckCommand& command) {
+  CLI::App* check = app.add_subcommand(
+      "check", "Say what is wrong with a surface, and what would be done about it");
+  add_input_options(*check, command.input);
+  check->add_option("-o,--output", command.output,
+                    "Folder for check.json, problems.vtp (a point at each problem) and "
+                    "prepared.vtp (the surface that would be meshed)");
+  check->add_flag("--json", command.json, "Print JSON instead of words");
+  return check;
+}
+
+ExitCode run_check(const CheckCommand& command) {
+  const Diagnosis d = diagnose(command);
+  const std::string json = to_json(command, d).dump(2) + "\n";
+  if (!command.output.empty()) {
+    OutputFolder folder(command.output);
+    write_output_file(folder.staging() / "check.json", json);
+    write_vtp(folder.staging() / "problems.vtp", places_data(d));
+    if (d.prepared) write_vtp(folder.staging() / "prepared.vtp", prepared_data(*d.prepared));
+    folder.commit();
+  }
+  if (command.json) {
+    fmt::print("{}", json);
+  } else {
+    print_words(command, d);
+  }
+  return d.verdict;
+}
+
+}  // namespace hexwall
