@@ -88,10 +88,29 @@ void append_elements(const HexMesh& mesh, const std::string& type, Text& text) {
   }
 }
 
-void append_node_set(const BoundaryPatch& patch, const std::string& label, Text& text) {
+/// The regions as sets of elements, where no layer has the same name.
+void append_regions(const HexMesh& mesh, Text& text) {
+  for (const CellZone& region : mesh.regions) {
+    const std::string label = label_of(region.name);
+    const std::vector<std::string> taken = labels_of(mesh.zones);
+    if (std::any_of(taken.begin(), taken.end(),
+                    [&](const std::string& zone) { return upper_case(zone) == upper_case(label); }))
+      continue;
+    text << "*ELSET, ELSET=" << label << ", GENERATE\n";
+    // Hexes of a region are numbered in one run, or a few.
+    for (std::size_t i = 0; i < region.hexes.size();) {
+      std::size_t last = i;
+      while (last + 1 < region.hexes.size() && region.hexes[last + 1] == region.hexes[last] + 1)
+        ++last;
+      text << region.hexes[i] + 1 << ", " << region.hexes[last] + 1 << ", 1\n";
+      i = last + 1;
+    }
+  }
+}
+
+void append_node_set(const std::vector<BoundaryFace>& faces, const std::string& label, Text& text) {
   std::set<int> nodes;
-  for (const BoundaryFace& face : patch.faces)
-    nodes.insert(face.vertices.begin(), face.vertices.end());
+  for (const BoundaryFace& face : faces) nodes.insert(face.vertices.begin(), face.vertices.end());
   text << "*NSET, NSET=" << label << '\n';
   int in_line = 0;
   for (const int v : nodes) {
@@ -113,8 +132,15 @@ void append_patches(const HexMesh& mesh, const std::vector<std::vector<HexFace>>
   const std::vector<std::string> labels = labels_of(mesh.patches);
   for (std::size_t p = 0; p < mesh.patches.size(); ++p) {
     if (faces[p].empty()) continue;
-    append_node_set(mesh.patches[p], labels[p], text);
+    append_node_set(mesh.patches[p].faces, labels[p], text);
     append_surface(faces[p], labels[p], text);
+  }
+}
+
+void append_face_zones(const HexMesh& mesh, const HexFaceValues& neighbours, Text& text) {
+  for (const FaceZone& zone : mesh.face_zones) {
+    append_node_set(zone.faces, label_of(zone.name), text);
+    append_surface(faces_of_zone(mesh, zone, neighbours), label_of(zone.name), text);
   }
 }
 
@@ -122,15 +148,20 @@ void append_patches(const HexMesh& mesh, const std::vector<std::vector<HexFace>>
 
 void write_abaqus(const std::filesystem::path& path, const HexMesh& mesh,
                   const AbaqusOptions& options) {
-  const std::vector<std::vector<HexFace>> faces = faces_of_patches(mesh, neighbours_of_hexes(mesh));
-  zone_of_hexes(mesh);  // a hex in no zone would be missing in the file
+  const HexFaceValues neighbours = neighbours_of_hexes(mesh);
+  const std::vector<std::vector<HexFace>> faces = faces_of_patches(mesh, neighbours);
+  group_of_hexes(mesh, mesh.zones);  // a hex in no zone would be missing in the file
   Text text(64 * mesh.points.size() + 80 * mesh.hexes.size() + 1024);
   text << "** Mesh by hexwall, for *INCLUDE in a deck of Abaqus or CalculiX.\n"
           "** Lengths are in the unit of the surface that was meshed.\n"
-          "** ELSETs are the cell zones, NSETs and SURFACEs the boundary patches.\n";
+          "** ELSETs are the cell zones and regions, NSETs and SURFACEs the boundary patches and "
+          "the "
+          "interface.\n";
   append_nodes(mesh, text);
   append_elements(mesh, options.element_type, text);
+  append_regions(mesh, text);
   append_patches(mesh, faces, text);
+  append_face_zones(mesh, neighbours, text);
   write_output_file(path, text.take());
 }
 

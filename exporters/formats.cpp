@@ -16,15 +16,15 @@ const std::vector<Format>& hex_mesh_formats() {
        [](const Path& path, const PipelineResult& r, double) { write_wall(path, r); }},
       {"openfoam", "openfoam",
        [](const Path& path, const PipelineResult& r, double metres_per_unit) {
-         write_openfoam(path, r.wall.mesh, metres_per_unit);
+         write_openfoam(path, r.wall, metres_per_unit);
        }},
       {"abaqus", "wall.inp",
-       [](const Path& path, const PipelineResult& r, double) { write_abaqus(path, r.wall.mesh); }},
+       [](const Path& path, const PipelineResult& r, double) { write_abaqus(path, r.wall); }},
       {"gmsh", "wall.msh",
-       [](const Path& path, const PipelineResult& r, double) { write_gmsh(path, r.wall.mesh); }},
+       [](const Path& path, const PipelineResult& r, double) { write_gmsh(path, r.wall); }},
       {"svmultiphysics", "mesh-complete",
        [](const Path& path, const PipelineResult& r, double) {
-         write_svmultiphysics(path, r.wall.mesh);
+         write_svmultiphysics(path, r.wall);
        }},
   };
   return formats;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -28,7 +29,7 @@ constexpr Kind kVolume{3, 5, 8};
 struct Entity {
   Kind kind;
   int tag;
-  int group;                  ///< tag of its physical group
+  std::vector<int> groups;    ///< tags of its physical groups
   std::vector<int> vertices;  ///< `kind.corners` per element
   std::vector<int> nodes;     ///< vertices that no entity before it has
   std::vector<int> boundary;  ///< tags of the surfaces around a volume
@@ -42,11 +43,25 @@ int element_count(const Entity& entity) {
   return count(entity.vertices) / entity.kind.corners;
 }
 
+/// Whether regions have physical groups of their own, behind those of the zones.
+bool has_regions(const HexMesh& mesh) {
+  return mesh.regions.size() > 1;
+}
+
+/// Tags of a zone's own physical group, and that of its region.
+std::vector<int> groups_of_zone(const HexMesh& mesh, int zone) {
+  std::vector<int> groups{zone + 1};
+  if (!has_regions(mesh) || mesh.zones[zone].hexes.empty()) return groups;
+  const std::vector<int> region_of = group_of_hexes(mesh, mesh.regions);
+  groups.push_back(count(mesh.zones) + region_of[mesh.zones[zone].hexes.front()] + 1);
+  return groups;
+}
+
 /// The volume of each zone, without its boundary.
 std::vector<Entity> volumes_of(const HexMesh& mesh) {
   std::vector<Entity> volumes;
   for (int z = 0; z < count(mesh.zones); ++z) {
-    volumes.push_back({kVolume, z + 1, z + 1, {}, {}, {}});
+    volumes.push_back({kVolume, z + 1, groups_of_zone(mesh, z), {}, {}, {}});
     for (const int hex : mesh.zones[z].hexes)
       volumes.back().vertices.insert(volumes.back().vertices.end(), mesh.hexes[hex].begin(),
                                      mesh.hexes[hex].end());
@@ -67,9 +82,25 @@ void append_surfaces(const HexMesh& mesh, const std::vector<HexFace>& faces,
   for (std::size_t z = 0; z < vertices_by_zone.size(); ++z) {
     if (vertices_by_zone[z].empty()) continue;
     const int tag = count(surfaces) + 1;
-    surfaces.push_back({kSurface, tag, p + 1, std::move(vertices_by_zone[z]), {}, {}});
+    surfaces.push_back({kSurface, tag, {p + 1}, std::move(vertices_by_zone[z]), {}, {}});
     volumes[z].boundary.push_back(tag);
   }
+}
+
+/// The surface of a face zone, entered into the boundaries of the volumes on both its sides.
+void append_face_zone(const HexMesh& mesh, const FaceZone& zone, int group,
+                      const HexFaceValues& neighbours, const std::vector<int>& zone_of,
+                      std::vector<Entity>& surfaces, std::vector<Entity>& volumes) {
+  const int tag = count(surfaces) + 1;
+  Entity surface{kSurface, tag, {group}, {}, {}, {}};
+  std::set<int> sides;
+  for (const HexFace& face : faces_of_zone(mesh, zone, neighbours)) {
+    const std::array<int, 4> corners = hex_face(mesh, face.hex, face.local);
+    surface.vertices.insert(surface.vertices.end(), corners.begin(), corners.end());
+    sides.insert({zone_of[face.hex], zone_of[neighbours[face.hex][face.local]]});
+  }
+  surfaces.push_back(std::move(surface));
+  for (const int side : sides) volumes[side].boundary.push_back(tag);
 }
 
 /// Gives each vertex to the first entity that has it.
@@ -85,12 +116,16 @@ void distribute_nodes(int vertices, std::vector<Entity>& entities) {
 
 /// The surfaces, then the volumes, none of them empty.
 std::vector<Entity> entities_of(const HexMesh& mesh) {
-  const std::vector<int> zone_of = zone_of_hexes(mesh);
-  const auto faces = faces_of_patches(mesh, neighbours_of_hexes(mesh));
+  const std::vector<int> zone_of = group_of_hexes(mesh, mesh.zones);
+  const HexFaceValues neighbours = neighbours_of_hexes(mesh);
+  const auto faces = faces_of_patches(mesh, neighbours);
   std::vector<Entity> entities;
   std::vector<Entity> volumes = volumes_of(mesh);
   for (int p = 0; p < count(mesh.patches); ++p)
     append_surfaces(mesh, faces[p], zone_of, p, entities, volumes);
+  for (int z = 0; z < count(mesh.face_zones); ++z)
+    append_face_zone(mesh, mesh.face_zones[z], count(mesh.patches) + z + 1, neighbours, zone_of,
+                     entities, volumes);
   std::copy_if(volumes.begin(), volumes.end(), std::back_inserter(entities),
                [](const Entity& volume) { return !volume.vertices.empty(); });
   distribute_nodes(count(mesh.points), entities);
@@ -104,16 +139,21 @@ const std::string& checked_name(const std::string& name) {
   return name;
 }
 
+/// \param before number of names of this dimension that come before
 template <typename Named>
-void append_names(int dimension, const std::vector<Named>& list, Text& text) {
+void append_names(int dimension, const std::vector<Named>& list, int before, Text& text) {
   for (int i = 0; i < count(list); ++i)
-    text << dimension << ' ' << i + 1 << " \"" << checked_name(list[i].name) << "\"\n";
+    text << dimension << ' ' << before + i + 1 << " \"" << checked_name(list[i].name) << "\"\n";
 }
 
 void append_physical_names(const HexMesh& mesh, Text& text) {
-  text << "$PhysicalNames\n" << count(mesh.patches) + count(mesh.zones) << '\n';
-  append_names(kSurface.dimension, mesh.patches, text);
-  append_names(kVolume.dimension, mesh.zones, text);
+  const int regions = has_regions(mesh) ? count(mesh.regions) : 0;
+  text << "$PhysicalNames\n"
+       << count(mesh.patches) + count(mesh.face_zones) + count(mesh.zones) + regions << '\n';
+  append_names(kSurface.dimension, mesh.patches, 0, text);
+  append_names(kSurface.dimension, mesh.face_zones, count(mesh.patches), text);
+  append_names(kVolume.dimension, mesh.zones, 0, text);
+  if (regions > 0) append_names(kVolume.dimension, mesh.regions, count(mesh.zones), text);
   text << "$EndPhysicalNames\n";
 }
 
@@ -128,7 +168,9 @@ void append_entity(const HexMesh& mesh, const Entity& entity, Text& text) {
   append_point(box.min(), text);
   text << ' ';
   append_point(box.max(), text);
-  text << " 1 " << entity.group << ' ' << count(entity.boundary);
+  text << ' ' << count(entity.groups);
+  for (const int group : entity.groups) text << ' ' << group;
+  text << ' ' << count(entity.boundary);
   for (const int surface : entity.boundary) text << ' ' << surface;
   text << '\n';
 }
@@ -179,7 +221,7 @@ void append_elements(const HexMesh& mesh, const std::vector<Entity>& entities, T
     append_block(entity, entity.kind.element_type, element_count(entity), text);
     for (int i = 0; i < element_count(entity); ++i) {
       const bool is_volume = entity.kind.dimension == kVolume.dimension;
-      const int tag = is_volume ? mesh.zones[entity.group - 1].hexes[i] + 1 : ++face_tag;
+      const int tag = is_volume ? mesh.zones[entity.groups.front() - 1].hexes[i] + 1 : ++face_tag;
       append_element(entity, i, tag, text);
     }
   }

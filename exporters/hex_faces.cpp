@@ -148,18 +148,31 @@ std::vector<std::vector<HexFace>> faces_of_patches(const HexMesh& mesh,
   return faces;
 }
 
-std::vector<int> zone_of_hexes(const HexMesh& mesh) {
-  std::vector<int> zone_of(mesh.hexes.size(), -1);
-  for (std::size_t z = 0; z < mesh.zones.size(); ++z)
-    for (const int hex : mesh.zones[z].hexes) {
-      if (hex < 0 || hex >= hex_count(mesh) || zone_of[hex] >= 0)
-        inconsistent("zone " + mesh.zones[z].name + " lists hex " + std::to_string(hex) +
+std::vector<HexFace> faces_of_zone(const HexMesh& mesh, const FaceZone& zone,
+                                   const HexFaceValues& neighbours) {
+  std::vector<HexFace> faces;
+  faces.reserve(zone.faces.size());
+  for (const BoundaryFace& face : zone.faces) {
+    const int local = local_face(mesh, face, zone.name);
+    if (neighbours[face.hex][local] < 0)
+      inconsistent("a face of zone " + zone.name + " is on the boundary");
+    faces.push_back({face.hex, local});
+  }
+  return faces;
+}
+
+std::vector<int> group_of_hexes(const HexMesh& mesh, const std::vector<CellZone>& groups) {
+  std::vector<int> group_of(mesh.hexes.size(), -1);
+  for (std::size_t g = 0; g < groups.size(); ++g)
+    for (const int hex : groups[g].hexes) {
+      if (hex < 0 || hex >= hex_count(mesh) || group_of[hex] >= 0)
+        inconsistent("zone " + groups[g].name + " lists hex " + std::to_string(hex) +
                      ", which does not exist or is in a zone already");
-      zone_of[hex] = static_cast<int>(z);
+      group_of[hex] = static_cast<int>(g);
     }
-  if (std::find(zone_of.begin(), zone_of.end(), -1) != zone_of.end())
+  if (std::find(group_of.begin(), group_of.end(), -1) != group_of.end())
     inconsistent("a hex is in no zone");
-  return zone_of;
+  return group_of;
 }
 
 }  // namespace hexwall

@@ -40,8 +40,13 @@ HexFaceValues neighbours_of_hexes(const HexMesh& mesh);
 std::vector<std::vector<HexFace>> faces_of_patches(const HexMesh& mesh,
                                                    const HexFaceValues& neighbours);
 
-/// Zone of each hex: an index into `mesh.zones`. #H.
-/// \throw Error(ExitCode::internal) unless the zones are a partition of the hexes.
-std::vector<int> zone_of_hexes(const HexMesh& mesh);
+/// Faces of a face zone, each as a face of the hex that the zone lists. \throw
+/// Error(ExitCode::internal) if a hex does not have a face, or it is not between two hexes.
+std::vector<HexFace> faces_of_zone(const HexMesh& mesh, const FaceZone& zone,
+                                   const HexFaceValues& neighbours);
+
+/// The group of each hex, of the zones or the regions of `mesh`: an index into `groups`. #H.
+/// \throw Error(ExitCode::internal) unless the groups are a partition of the hexes.
+std::vector<int> group_of_hexes(const HexMesh& mesh, const std::vector<CellZone>& groups);
 
 }  // namespace hexwall

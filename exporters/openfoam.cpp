@@ -145,7 +145,7 @@ OutputFile boundary_file(const HexMesh& mesh, const FoamFaces& faces) {
 }
 
 OutputFile zones_file(const HexMesh& mesh) {
-  zone_of_hexes(mesh);  // OpenFOAM wants zones that do not overlap
+  group_of_hexes(mesh, mesh.zones);  // OpenFOAM wants zones that do not overlap
   Text text(10 * mesh.hexes.size() + 1024);
   text << count(mesh.zones) << "\n(\n";
   for (const CellZone& zone : mesh.zones) {
@@ -156,6 +156,57 @@ OutputFile zones_file(const HexMesh& mesh) {
   }
   text << ")\n";
   return mesh_file("regIOobject", "cellZones", text.take());
+}
+
+/// Numbers of a face zone's faces among the internal ones, and whether each faces its neighbour's
+/// side, as OpenFOAM's faces do, or is turned over.
+struct ZoneFaces {
+  std::vector<int> numbers;
+  std::vector<bool> flipped;
+};
+
+ZoneFaces zone_faces(const HexMesh& mesh, const FaceZone& zone, const FoamFaces& faces) {
+  const HexFaceValues neighbours = neighbours_of_hexes(mesh);
+  ZoneFaces result;
+  for (const HexFace& face : faces_of_zone(mesh, zone, neighbours)) {
+    const int other = neighbours[face.hex][face.local];
+    const auto [owner, neighbour] = std::minmax(face.hex, other);
+    const auto end = faces.faces.begin() + faces.internal;
+    const auto found = std::lower_bound(faces.faces.begin(), end, std::pair(owner, neighbour),
+                                        [](const FoamFace& f, const std::pair<int, int>& key) {
+                                          return std::pair(f.owner, f.neighbour) < key;
+                                        });
+    result.numbers.push_back(static_cast<int>(found - faces.faces.begin()));
+    result.flipped.push_back(owner != face.hex);
+  }
+  return result;
+}
+
+OutputFile face_zones_file(const HexMesh& mesh, const FoamFaces& faces) {
+  Text text(1024);
+  text << count(mesh.face_zones) << "\n(\n";
+  for (const FaceZone& zone : mesh.face_zones) {
+    const ZoneFaces of_zone = zone_faces(mesh, zone, faces);
+    text << checked_word(zone.name) << "\n{\n    type faceZone;\nfaceLabels List<label>\n"
+         << count(of_zone.numbers) << "\n(\n";
+    for (const int face : of_zone.numbers) text << face << '\n';
+    text << ")\n;\nflipMap List<bool>\n" << count(of_zone.flipped) << "\n(\n";
+    for (const bool flipped : of_zone.flipped) text << (flipped ? "1\n" : "0\n");
+    text << ")\n;\n}\n";
+  }
+  text << ")\n";
+  return mesh_file("regIOobject", "faceZones", text.take());
+}
+
+/// The hexes of a region as a set, since zones, which may not overlap, are the layers.
+OutputFile cell_set_file(const CellZone& region) {
+  Text text(10 * region.hexes.size() + 64);
+  text << count(region.hexes) << "\n(\n";
+  for (const int hex : region.hexes) text << hex << '\n';
+  text << ")\n";
+  const std::string folder = std::string(kMeshFolder) + "/sets";
+  return {folder + '/' + checked_word(region.name),
+          header("cellSet", folder, region.name) + text.take()};
 }
 
 OutputFile dictionary(std::string_view name, std::string_view body) {
@@ -192,6 +243,10 @@ std::vector<OutputFile> case_files(const HexMesh& mesh, double metres_per_unit) 
   files.push_back(labels_file("neighbour", faces, faces.internal, &FoamFace::neighbour, note));
   files.push_back(boundary_file(mesh, faces));
   files.push_back(zones_file(mesh));
+  if (!mesh.face_zones.empty()) files.push_back(face_zones_file(mesh, faces));
+  if (mesh.regions.size() > 1) {
+    for (const CellZone& region : mesh.regions) files.push_back(cell_set_file(region));
+  }
   append_system_files(files);
   return files;
 }

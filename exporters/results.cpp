@@ -76,6 +76,32 @@ void add_polyline(PolyData& data, const std::vector<Vec3>& points) {
   data.lines.add(ids);
 }
 
+// Thickness asked, given, and their ratio at each vertex of the quads, for each side.
+std::vector<DataArray> thickness_arrays(const PipelineResult& r) {
+  std::vector<DataArray> arrays{{"radius", 1, r.radius}};
+  const auto add = [&](const std::optional<ThicknessResult>& side, const std::string& prefix) {
+    if (!side) return;
+    std::vector<double> ratio;
+    for (int v = 0; v < static_cast<int>(side->given.size()); ++v) ratio.push_back(side->ratio(v));
+    arrays.push_back({prefix + "thickness", 1, side->given});
+    arrays.push_back({prefix + "thickness_asked", 1, side->asked});
+    arrays.push_back({prefix + "thickness_ratio", 1, std::move(ratio)});
+  };
+  add(r.outward, "");
+  add(r.inward, "inner_");
+  return arrays;
+}
+
+// The same at each vertex of the hexes.
+std::vector<DataArray> repeated_for_levels(std::vector<DataArray> arrays, std::size_t levels) {
+  for (DataArray& array : arrays) {
+    auto& values = std::get<std::vector<double>>(array.values);
+    const std::vector<double> once = values;
+    for (std::size_t i = 1; i < levels; ++i) values.insert(values.end(), once.begin(), once.end());
+  }
+  return arrays;
+}
+
 }  // namespace
 
 PolyData surface_data(const PipelineResult& r) {
@@ -142,7 +168,7 @@ PolyData quad_data(const PipelineResult& r) {
   for (const auto& quad : r.quads.quads) data.polygons.add(quad);
   data.point_arrays.push_back({"loop", 1, r.quads.loop_of_vertex});
   data.point_arrays.push_back({"target_edge", 1, r.target_edge});
-  data.point_arrays.push_back({"thickness", 1, r.wall.thickness});
+  for (DataArray& array : thickness_arrays(r)) data.point_arrays.push_back(std::move(array));
   data.cell_arrays.push_back({"cylinder", 1, r.quads.cylinder});
   data.cell_arrays.push_back({"extension", 1, r.extension});
   data.cell_arrays.push_back({"patch", 1, r.quads.patch});
@@ -176,16 +202,17 @@ void write_wall(const std::filesystem::path& path, const PipelineResult& r) {
   std::vector<int> cylinder;
   std::vector<int> patch;
   std::vector<int> extension;
-  for (const int quad : r.wall.mesh.quad) {
+  for (const int quad : r.wall.quad) {
     extension.push_back(r.extension[quad]);
     cylinder.push_back(r.quads.cylinder[quad]);
     patch.push_back(r.quads.patch[quad]);
   }
-  write_vtu(path, r.wall.mesh,
+  write_vtu(path, r.wall,
             {{"cylinder", 1, std::move(cylinder)},
              {"extension", 1, std::move(extension)},
              {"patch", 1, std::move(patch)},
-             {"scaled_jacobian", 1, r.wall.scaled_jacobian}});
+             {"scaled_jacobian", 1, r.wall_scaled_jacobian}},
+            repeated_for_levels(thickness_arrays(r), r.layers.levels.size()));
 }
 
 }  // namespace hexwall

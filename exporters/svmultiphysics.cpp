@@ -29,15 +29,16 @@ std::vector<int> from_one(std::vector<int> ids) {
 }
 
 OutputFile volume_file(const HexMesh& mesh) {
-  return {"mesh-complete.mesh.vtu", vtu_bytes(mesh,
-                                              {{"GlobalElementID", 1, numbers(mesh.hexes.size())},
-                                               {"ModelRegionID", 1, from_one(zone_of_hexes(mesh))}},
-                                              {{"GlobalNodeID", 1, numbers(mesh.points.size())}})};
+  return {"mesh-complete.mesh.vtu",
+          vtu_bytes(mesh,
+                    {{"GlobalElementID", 1, numbers(mesh.hexes.size())},
+                     {"ModelRegionID", 1, from_one(group_of_hexes(mesh, mesh.zones))}},
+                    {{"GlobalNodeID", 1, numbers(mesh.points.size())}})};
 }
 
 OutputFile domains_file(const HexMesh& mesh) {
   Text text(4 * mesh.hexes.size());
-  for (const int zone : zone_of_hexes(mesh)) text << zone + 1 << '\n';
+  for (const int zone : group_of_hexes(mesh, mesh.zones)) text << zone + 1 << '\n';
   return {"domain_ids.dat", text.take()};
 }
 
@@ -94,7 +95,8 @@ const std::string& checked_file_name(const std::string& name) {
 }
 
 std::vector<OutputFile> surface_files(const HexMesh& mesh) {
-  const auto faces = faces_of_patches(mesh, neighbours_of_hexes(mesh));
+  const HexFaceValues neighbours = neighbours_of_hexes(mesh);
+  const auto faces = faces_of_patches(mesh, neighbours);
   std::vector<OutputFile> files;
   std::vector<int> all, walls;
   for (int p = 0; p < static_cast<int>(faces.size()); ++p) {
@@ -103,6 +105,14 @@ std::vector<OutputFile> surface_files(const HexMesh& mesh) {
     if (mesh.patches[p].is_wall) walls.push_back(p);
     files.push_back({"mesh-surfaces/" + checked_file_name(mesh.patches[p].name) + ".vtp",
                      surface_bytes(mesh, faces, {p})});
+  }
+  for (std::size_t z = 0; z < mesh.face_zones.size(); ++z) {
+    const FaceZone& zone = mesh.face_zones[z];
+    Surface surface(mesh);
+    for (const HexFace& face : faces_of_zone(mesh, zone, neighbours))
+      surface.add(face, static_cast<int>(faces.size() + z));
+    files.push_back(
+        {"mesh-surfaces/" + checked_file_name(zone.name) + ".vtp", std::move(surface).bytes()});
   }
   files.push_back({"mesh-complete.exterior.vtp", surface_bytes(mesh, faces, all)});
   if (!walls.empty()) files.push_back({"walls_combined.vtp", surface_bytes(mesh, faces, walls)});

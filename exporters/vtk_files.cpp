@@ -140,12 +140,14 @@ void add_mesh_data(vtkUnstructuredGrid* grid, const HexMesh& mesh) {
   const std::vector<DataArray> arrays{
       {"layer", 1, mesh.layer},
       {"quad", 1, mesh.quad},
-      {"zone", 1, zone_of_hexes(mesh)},
+      {"zone", 1, group_of_hexes(mesh, mesh.zones)},
+      {"region", 1, group_of_hexes(mesh, mesh.regions)},
       {"patch_of_face", 6, flattened(patch_of_hex_faces(mesh))},
   };
   add_arrays(grid->GetCellData(), arrays, mesh.hexes.size());
   add_strings(grid, names_of("patch_names", mesh.patches));
   add_strings(grid, names_of("zone_names", mesh.zones));
+  add_strings(grid, names_of("region_names", mesh.regions));
 }
 
 }  // namespace

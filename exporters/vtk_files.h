@@ -66,12 +66,11 @@ struct PolyData {
 void write_vtp(const std::filesystem::path& path, const PolyData& data);
 
 /// Writes a VTK XML unstructured grid with the given arrays and those of `HexMesh`: `layer`,
-/// `quad`, `zone`, `patch_of_face`, and the texts `patch_names` and `zone_names`;
-/// exporters/README.md says what they mean. Lengths are in the unit of `mesh`. Same input, same
-/// bytes.
-/// \throw WriteError if the file cannot be written; nothing half-written stays behind.
-/// \throw Error(ExitCode::internal) if an array's length does not fit the mesh, or the patches or
-/// zones do not.
+/// `quad`, `zone`, `region`, `patch_of_face`, and the texts `patch_names`, `zone_names` and
+/// `region_names`; exporters/README.md says what they mean. Lengths are in the unit of `mesh`. Same
+/// input, same bytes. \throw WriteError if the file cannot be written; nothing half-written stays
+/// behind. \throw Error(ExitCode::internal) if an array's length does not fit the mesh, or the
+/// patches or zones do not.
 void write_vtu(const std::filesystem::path& path, const HexMesh& mesh,
                const std::vector<DataArray>& cell_arrays = {},
                const std::vector<DataArray>& point_arrays = {});

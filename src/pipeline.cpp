@@ -12,13 +12,13 @@
 #include "foliation/local_radius.h"
 #include "surface/loop_shape.h"
 #include "surface/projector.h"
+#include "wall.h"
 #include "warnings.h"
 
 namespace hexwall {
 namespace {
 
 constexpr double default_quad_count = 20000.0;
-constexpr double default_thickness_ratio = 0.1;
 // Conformal sizes beyond this ratio to the target are met near zeros and in blind sacs, where the
 // form's scale tends to 0: no quad should be asked to be that large or small.
 constexpr double greatest_size_ratio = 3.0;
@@ -37,11 +37,8 @@ void require(bool holds, const std::string& message) {
 void check_options(const PipelineOptions& options) {
   const auto positive = [](double value) { return value > 0.0 && std::isfinite(value); };
   require(!options.size || positive(*options.size), "--size must be a positive length");
-  require(!options.thickness || positive(*options.thickness),
-          "--thickness must be a positive length");
-  require(options.layers >= 1, "--layers must be at least 1");
-  require(positive(options.growth), "--growth must be a positive ratio");
   require(options.poles.count >= 0, "--poles must not be negative");
+  check_layer_options(options);
   require(options.relax >= 0.0 && options.relax <= 1.0, "--relax must lie between 0 and 1");
 }
 
@@ -77,8 +74,8 @@ std::vector<double> face_means(const TriangleSurface& surface, const std::vector
 std::vector<double> relative_radii(const PipelineResult& r) {
   const Eigen::VectorXd even = Eigen::VectorXd::Ones(r.connectivity.face_count());
   const FormSolution s = solve_form({r.surface, r.connectivity, even});
-  std::vector<double> radii =
-      local_radius(s.refined.surface, s.connectivity, s.form, foliate(s.connectivity, s.form));
+  std::vector<double> radii = local_radius(s.refined.surface, s.connectivity, s.form,
+                                           foliate(s.connectivity, s.form), s.first_pole());
   radii.resize(r.surface.points.size());  // the refinement's own vertices come after the input's
   const std::vector<double> of_faces = face_means(r.surface, radii);
   double sum = 0.0;
@@ -209,19 +206,6 @@ std::vector<SurfacePoint> close_poles(PipelineResult& r, const SurfaceProjector&
   return places;
 }
 
-// Target edge length at points of the surface.
-std::vector<double> target_edges(const PipelineResult& r, const std::vector<SurfacePoint>& places) {
-  std::vector<double> targets;
-  targets.reserve(places.size());
-  for (const SurfacePoint& place : places) {
-    const Vec3 w = barycentric_coordinates(r.surface, place);
-    const auto& [a, b, c] = r.surface.triangles[place.face];
-    targets.push_back(*r.options.size * (w[0] * r.relative_edge[a] + w[1] * r.relative_edge[b] +
-                                         w[2] * r.relative_edge[c]));
-  }
-  return targets;
-}
-
 // Target size per quad: its conformal size, drawn towards the size asked for by `relax`.
 std::vector<QuadSize> target_sizes(const PipelineResult& r) {
   std::vector<QuadSize> targets;
@@ -260,57 +244,6 @@ std::vector<SurfacePoint> relax_quads(PipelineResult& r, const SurfaceProjector&
   r.relaxation = relax(r.quads, face, target_sizes(r), r.surface, r.connectivity);
   for (std::size_t v = 0; v < face.size(); ++v) places[v] = {face[v], r.quads.points[v]};
   return places;
-}
-
-// Mean radius of the vessel: every ring of quads around it, taken as a circle, weighted by area.
-double mean_radius(const PipelineResult& r) {
-  double area_sum = 0.0;
-  double sum = 0.0;
-  for (std::size_t q = 0; q < r.conformal.mesh.quads.size();) {
-    const int around = r.numbers.around(r.foliation.strips, r.quads.cylinder[q]);
-    double length = 0.0;
-    double area = 0.0;
-    for (int i = 0; i < around; ++i, ++q) {
-      const auto p = corners_of(r.quads, static_cast<int>(q));
-      length += 0.5 * ((p[1] - p[0]).norm() + (p[2] - p[3]).norm());
-      area += 0.5 * doubled_area_vector(p).norm();
-    }
-    area_sum += area;
-    sum += area * length / (2.0 * std::numbers::pi);
-  }
-  return sum / area_sum;
-}
-
-// Directions of extrusion: the surface's normals, kept in the planes of the loops, smoothed where
-// the wall would not come out well.
-std::vector<Vec3> find_directions(PipelineResult& r, const std::vector<SurfacePoint>& places) {
-  std::vector<Vec3> directions = interpolated_normals(r.surface, places);
-  std::vector<LoopPlane> planes;
-  for (const Opening& opening : r.openings) planes.push_back(opening.plane);
-  flatten_at_loops(r.quads, planes, directions);
-  SmoothDirectionsOptions options;
-  options.thickness = *r.options.thickness;
-  options.layers = r.options.layers;
-  options.growth = r.options.growth;
-  r.smoothed_directions = smooth_directions(r.quads, planes, options, directions);
-  return directions;
-}
-
-void extrude_wall(PipelineResult& r, std::vector<SurfacePoint>& places,
-                  const SurfaceProjector& projector) {
-  if (!r.options.thickness) r.options.thickness = default_thickness_ratio * mean_radius(r);
-  std::vector<Vec3> directions = find_directions(r, places);
-  r.polishing = polish(r.quads, places, directions, projector,
-                       {*r.options.thickness, r.options.layers, r.options.growth});
-  r.target_edge = target_edges(r, places);
-  r.quad_quality = quad_quality(r.quads, r.target_edge);
-  std::vector<std::string> names;
-  for (const Opening& opening : r.openings) names.push_back(opening.name);
-  ExtrudeOptions options;
-  options.thickness = *r.options.thickness;
-  options.layers = r.options.layers;
-  options.growth = r.options.growth;
-  r.wall = extrude(r.quads, directions, names, options);
 }
 
 // A quad belongs to an extension if most of its corners do.
@@ -355,7 +288,7 @@ PipelineResult run_pipeline(const PrepareResult& input, const PipelineOptions& o
   const SurfaceProjector projector(r.surface, r.connectivity);
   std::vector<SurfacePoint> places = relax_quads(r, projector);
   clock.begin("wall");
-  extrude_wall(r, places, projector);
+  make_wall(r, places, projector);
   find_extensions(input.extension, places, r);
   add_warnings(r);
   clock.end();

@@ -7,9 +7,10 @@
 #include "core/progress.h"
 #include "foliation/foliation.h"
 #include "foliation/row_spacing.h"
-#include "hex/directions.h"
 #include "hex/extrude.h"
+#include "hex/layers.h"
 #include "hex/polish.h"
+#include "hex/thickness.h"
 #include "holomorphic/poles.h"
 #include "holomorphic/solution.h"
 #include "quad/extract.h"
@@ -32,15 +33,28 @@ struct PoleRequest {
   std::vector<Vec3> places;  ///< with `places`: at the points of the surface nearest to these
 };
 
+/// The layers on one side of the surface. At most one of `thickness`, `thickness_ratio` and
+/// `thickness_field` is given; without any the default of the side holds.
+struct LayerOptions {
+  std::optional<double> thickness;
+  std::optional<double> thickness_ratio;  ///< of the local radius of the vessel
+  std::vector<double> thickness_field;    ///< #V of the surface
+  std::optional<double> thickness_min;    ///< bounds of what is asked
+  std::optional<double> thickness_max;
+  int layers = 3;
+  double growth = 1.0;             ///< ratio of successive heights, away from the surface
+  std::vector<LayerGroup> groups;  ///< named layers, instead of `layers` and `growth`
+};
+
 struct PipelineOptions {
   std::optional<double> size;   ///< target edge length; default: 20000 quads
   bool size_by_radius = false;  ///< target edges proportional to the vessel's local radius, `size`
                                 ///< on the mean over the surface
-  std::vector<double> size_field;   ///< #V factors on the target edge length; empty: 1 everywhere
-  std::optional<double> thickness;  ///< of the wall; default 10 % of the mean vessel radius
-  int layers = 3;
-  double growth = 1.0;
-  double relax = 0.5;  ///< 0 conformal sizes … 1 even sizes
+  std::vector<double> size_field;  ///< #V factors on the target edge length; empty: 1 everywhere
+  std::optional<LayerOptions> outward = LayerOptions{};  ///< wall; 10 % of the mean radius thick
+  std::optional<LayerOptions> inward;  ///< into the lumen; 15 % of the local radius thick
+  bool thickness_strict = false;       ///< refuse where the layers have to be thinner than asked
+  double relax = 0.5;                  ///< 0 conformal sizes … 1 even sizes
   PoleRequest poles;
 };
 
@@ -69,10 +83,15 @@ struct PipelineResult {
   std::vector<double> target_edge;  ///< #V of `quads`
   std::vector<int> extension;       ///< #Q opening whose flow extension it belongs to, or -1
   RelaxResult relaxation;
+  std::vector<double> radius;   ///< #V of `quads`: local radius of the vessel, see local_radius.h
   int smoothed_directions = 0;  ///< quad vertices not extruded along the surface's normal
   PolishResult polishing;
   QuadQuality quad_quality;
-  ExtrudeResult wall;
+  std::optional<ThicknessResult> outward, inward;  ///< as in `options`
+  LayerPlan layers;
+  HexMesh wall;
+  std::vector<double> wall_scaled_jacobian;  ///< #H of `wall`
+  double min_wall_scaled_jacobian = 0.0;
   std::vector<std::string> warnings;
   std::vector<StageTime> times;
 };

@@ -48,16 +48,36 @@ Json poles_json(const PipelineResult& r) {
   return poles;
 }
 
+Json layer_options_json(const LayerOptions& o) {
+  Json json = Json::object();
+  if (o.thickness) json["thickness"] = *o.thickness;
+  if (o.thickness_ratio) json["thickness_ratio"] = *o.thickness_ratio;
+  json["thickness_field"] = !o.thickness_field.empty();
+  if (o.thickness_min) json["thickness_min"] = *o.thickness_min;
+  if (o.thickness_max) json["thickness_max"] = *o.thickness_max;
+  if (o.groups.empty()) {
+    json["layers"] = o.layers;
+    json["growth"] = o.growth;
+    return json;
+  }
+  for (const LayerGroup& group : o.groups) {
+    json["layer_spec"].push_back(
+        {{"name", group.name}, {"share", group.share}, {"cells", group.cells}});
+  }
+  return json;
+}
+
 Json options_json(const PipelineOptions& options, const std::string& units) {
-  return {{"size", *options.size},
-          {"thickness", *options.thickness},
-          {"layers", options.layers},
-          {"growth", options.growth},
-          {"relax", options.relax},
-          {"size_by_radius", options.size_by_radius},
-          {"size_field", !options.size_field.empty()},
-          {"poles", poles_text(options.poles)},
-          {"units", units}};
+  Json json = {{"size", *options.size},
+               {"relax", options.relax},
+               {"size_by_radius", options.size_by_radius},
+               {"size_field", !options.size_field.empty()},
+               {"poles", poles_text(options.poles)},
+               {"units", units},
+               {"thickness_strict", options.thickness_strict}};
+  if (options.outward) json["outward"] = layer_options_json(*options.outward);
+  if (options.inward) json["inward"] = layer_options_json(*options.inward);
+  return json;
 }
 
 Json input_json(const PipelineResult& r, const ReportContext& context) {
@@ -140,18 +160,35 @@ Json quads_json(const PipelineResult& r) {
             {"vertices_moved", r.polishing.moved}}}};
 }
 
-Json wall_json(const PipelineResult& r) {
-  Json json = {{"hexes", r.wall.mesh.hexes.size()},
-               {"vertices", r.wall.mesh.points.size()},
-               {"layers", r.options.layers},
-               {"min_scaled_jacobian", r.wall.min_scaled_jacobian},
-               {"thickness_asked", *r.options.thickness},
-               {"thickness_min", r.wall.thickness_min},
-               {"reduced_area_fraction", r.wall.reduced_area_fraction},
-               {"smoothed_directions", r.smoothed_directions}};
-  if (r.wall.reduced_area_fraction > 0.0) {
-    json["thinnest_at"] = vector_json(r.quads.points[r.wall.worst_vertex]);
+Json side_json(const PipelineResult& r, const ThicknessResult& side) {
+  const auto [asked_min, asked_max] = std::minmax_element(side.asked.begin(), side.asked.end());
+  const auto [given_min, given_max] = std::minmax_element(side.given.begin(), side.given.end());
+  const int worst = side.worst_vertex;
+  Json json = {{"thickness_asked", {{"min", *asked_min}, {"max", *asked_max}}},
+               {"thickness_given", {{"min", *given_min}, {"max", *given_max}}},
+               {"reduced_area_fraction", side.reduced_area_fraction},
+               {"colliding_quads", side.colliding_quads}};
+  if (side.reduced_area_fraction > 0.0) {
+    json["worst"] = {{"at", vector_json(r.quads.points[worst])},
+                     {"asked", side.asked[worst]},
+                     {"given", side.given[worst]}};
   }
+  return json;
+}
+
+Json wall_json(const PipelineResult& r) {
+  Json zones = Json::array();
+  for (const CellZone& zone : r.wall.zones) {
+    zones.push_back({{"name", zone.name}, {"hexes", zone.hexes.size()}});
+  }
+  Json json = {{"hexes", r.wall.hexes.size()},
+               {"vertices", r.wall.points.size()},
+               {"layers", r.layers.layers()},
+               {"zones", std::move(zones)},
+               {"min_scaled_jacobian", r.min_wall_scaled_jacobian},
+               {"smoothed_directions", r.smoothed_directions}};
+  if (r.outward) json["outward"] = side_json(r, *r.outward);
+  if (r.inward) json["inward"] = side_json(r, *r.inward);
   return json;
 }
 
@@ -166,6 +203,16 @@ Json seconds_json(const PipelineResult& r, const ReportContext& context) {
   }
   json["total"] = total;
   return json;
+}
+
+// Between which bounds the layers of a side are thick.
+std::string side_text(const ThicknessResult& side, const std::string& units) {
+  const auto [least, greatest] = std::minmax_element(side.given.begin(), side.given.end());
+  const std::string least_text = fmt::format("{:.4g}", *least);
+  const std::string greatest_text = fmt::format("{:.4g}", *greatest);
+  return least_text == greatest_text
+             ? fmt::format("{} {} thick", least_text, units)
+             : fmt::format("{} to {} {} thick", least_text, greatest_text, units);
 }
 
 }  // namespace
@@ -244,9 +291,10 @@ std::string summary(const PipelineResult& r, const std::string& units) {
                             "min scaled Jacobian {:.3f}",
                             r.quads.quads.size(), r.quad_quality.irregular,
                             r.quad_quality.angle_stddev_deg, r.quad_quality.min_scaled_jacobian));
-  line("wall", fmt::format("{} hexes in {} layers, {:.4g} {} thick, min scaled Jacobian {:.3f}",
-                           r.wall.mesh.hexes.size(), r.options.layers, *r.options.thickness, units,
-                           r.wall.min_scaled_jacobian));
+  line("hexes", fmt::format("{} in {} layers, min scaled Jacobian {:.3f}", r.wall.hexes.size(),
+                            r.layers.layers(), r.min_wall_scaled_jacobian));
+  if (r.outward) line("wall", side_text(*r.outward, units));
+  if (r.inward) line("lumen", side_text(*r.inward, units));
   for (const Opening& opening : r.openings) {
     line(opening.name,
          fmt::format("radius {:.4g} {} at ({:.4g}, {:.4g}, {:.4g})",

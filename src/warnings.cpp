@@ -10,6 +10,18 @@ namespace {
 // Chords of a circle of 16 quads miss 0.6 % of it: more than this is a missing piece of surface.
 constexpr double noticeable_missing_area = 0.02;
 
+void add_thickness_warning(PipelineResult& r, const ThicknessResult& side,
+                           const std::string& what) {
+  if (side.reduced_area_fraction == 0.0) return;
+  const int v = side.worst_vertex;
+  const Vec3& at = r.quads.points[v];
+  r.warnings.push_back(
+      fmt::format("the {} thinner than asked on {:.3g} % of the area, least at ({:.6g}, {:.6g}, "
+                  "{:.6g}): {:.4g} instead of {:.4g}",
+                  what, 100.0 * side.reduced_area_fraction, at.x(), at.y(), at.z(), side.given[v],
+                  side.asked[v]));
+}
+
 }  // namespace
 
 void add_warnings(PipelineResult& r) {
@@ -40,14 +52,8 @@ void add_warnings(PipelineResult& r) {
         100.0 * missing_area, corners[0].x(), corners[0].y(), corners[0].z(),
         std::sqrt(0.5 * doubled_area_vector(corners).norm())));
   }
-  if (r.wall.reduced_area_fraction > 0.0) {
-    const Vec3& at = r.quads.points[r.wall.worst_vertex];
-    r.warnings.push_back(fmt::format(
-        "the wall is thinner than asked on {:.3g} % of the area, least at ({:.6g}, {:.6g}, "
-        "{:.6g}): {:.4g} instead of {:.4g}",
-        100.0 * r.wall.reduced_area_fraction, at.x(), at.y(), at.z(), r.wall.thickness_min,
-        *r.options.thickness));
-  }
+  if (r.outward) add_thickness_warning(r, *r.outward, "wall is");
+  if (r.inward) add_thickness_warning(r, *r.inward, "layers in the lumen are");
 }
 
 }  // namespace hexwall

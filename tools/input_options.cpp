@@ -8,6 +8,7 @@
 
 #include "core/errors.h"
 #include "surface/cut_planes.h"
+#include "surface/transfer.h"
 
 namespace hexwall {
 namespace {
@@ -116,6 +117,19 @@ PrepareOptions prepare_options(const InputOptions& options) {
   prepare.extend = options.extend;
   prepare.metres_per_unit = metres_per_unit(options.units);
   return prepare;
+}
+
+std::vector<double> point_values(const ReadResult& read, const std::string& array,
+                                 const TriangleSurface& prepared) {
+  std::string known;
+  for (const SurfaceArray& candidate : read.point_arrays) {
+    if (candidate.name == array && candidate.components == 1) {
+      return transfer_point_array(candidate, read.surface, prepared);
+    }
+    known += (known.empty() ? "" : ", ") + candidate.name;
+  }
+  throw UsageError(fmt::format("the input has no scalar point array '{}'. It has: {}", array,
+                               known.empty() ? "none" : known));
 }
 
 double metres_per_unit(const std::string& units) {

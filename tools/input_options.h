@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 
 #include "surface/prepare.h"
+#include "surface/read.h"
 
 namespace hexwall {
 
@@ -30,6 +31,11 @@ void add_input_options(CLI::App& command, InputOptions& options);
 
 /// What they mean, files read. \throws UsageError, ReadError.
 PrepareOptions prepare_options(const InputOptions& options);
+
+/// A scalar point array of the input at the vertices of the surface that it was prepared to.
+/// \throws UsageError, naming the arrays there are, if there is none of that name.
+std::vector<double> point_values(const ReadResult& read, const std::string& array,
+                                 const TriangleSurface& prepared);
 
 /// Metres in one unit of the input.
 double metres_per_unit(const std::string& units);

@@ -32,6 +32,7 @@
 #include "exporters/output_file.h"
 #include "exporters/results.h"
 #include "input_options.h"
+#include "layer_options.h"
 #include "output_folder.h"
 #include "pipeline.h"
 #include "progress_display.h"
@@ -39,7 +40,6 @@
 #include "surface/generate.h"
 #include "surface/read.h"
 #include "surface/read_points.h"
-#include "surface/transfer.h"
 #include "surface/write.h"
 
 namespace hexwall {
@@ -51,6 +51,7 @@ struct MeshCommand {
   InputOptions input;
   std::string output;
   PipelineOptions pipeline;
+  LayerCommandOptions layers;
   std::string size_field;
   std::string poles = "auto";
   std::string size_by = "constant";
@@ -79,12 +80,7 @@ CLI::App* add_mesh(CLI::App& app, MeshCommand& c) {
   mesh->add_option("-o,--output", c.output, "Folder for the results")->required();
   mesh->add_option("--size", c.pipeline.size,
                    "Target quad edge length, in input units [sqrt(area / 20000)]");
-  mesh->add_option("--thickness", c.pipeline.thickness,
-                   "Wall thickness, in input units [10 % of the mean vessel radius]");
-  mesh->add_option("--layers", c.pipeline.layers, "Hexes through the wall")->capture_default_str();
-  mesh->add_option("--growth", c.pipeline.growth,
-                   "Height ratio of successive layers, from the lumen outward")
-      ->capture_default_str();
+  add_layer_options(*mesh, c.layers);
   mesh->add_option("--relax", c.pipeline.relax, "Quad sizes: 0 conformal … 1 even")
       ->capture_default_str();
   mesh->add_option("--poles", c.poles,
@@ -141,16 +137,6 @@ void write_results(const MeshCommand& c, const PipelineResult& result, const fs:
   }
 }
 
-const SurfaceArray& scalar_array(const ReadResult& read, const std::string& name) {
-  std::string known;
-  for (const SurfaceArray& array : read.point_arrays) {
-    if (array.name == name && array.components == 1) return array;
-    known += (known.empty() ? "" : ", ") + array.name;
-  }
-  throw UsageError(fmt::format("the input has no scalar point array '{}'. It has: {}", name,
-                               known.empty() ? "none" : known));
-}
-
 PoleRequest pole_request(const std::string& text) {
   PoleRequest request;
   int count = 0;
@@ -191,9 +177,9 @@ void run_mesh(const MeshCommand& c, spdlog::logger& log) {
       {"prepare", timed([&] { prepared = prepare_surface(read, preparation); })});
   context.prepared = &prepared;
   if (!c.size_field.empty()) {
-    options.size_field =
-        transfer_point_array(scalar_array(read, c.size_field), read.surface, prepared.surface);
+    options.size_field = point_values(read, c.size_field, prepared.surface);
   }
+  set_layer_options(c.layers, read, prepared.surface, options);
   const PipelineResult result = run_pipeline(
       prepared, options,
       [&](const std::string& stage, int index, int count) { progress.show(stage, index, count); });

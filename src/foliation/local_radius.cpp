@@ -14,6 +14,8 @@ namespace hexwall {
 namespace {
 
 constexpr int samples_per_cylinder = 64;
+// Loops around a dome grow up to the widest one; a dip by less than this is noise of the surface.
+constexpr double noticeable_dip = 0.03;
 
 double length_of(const TriangleSurface& surface, const Connectivity& mesh,
                  const LevelCurve& curve) {
@@ -37,6 +39,17 @@ std::vector<double> loop_radii(const TriangleSurface& surface, const Connectivit
     radii.push_back(length_of(surface, mesh, curve) / (2.0 * std::numbers::pi));
   }
   return radii;
+}
+
+// Gives the loops between a pole, before `first`, and the widest loop around its dome the radius of
+// the latter.
+template <typename Iterator>
+void widen_dome(Iterator first, Iterator last) {
+  Iterator widest = first;
+  for (Iterator i = first; i != last && *i >= (1.0 - noticeable_dip) * *widest; ++i) {
+    if (*i > *widest) widest = i;
+  }
+  if (first != last) std::fill(first, widest, *widest);
 }
 
 double at_height(const Cylinder& cylinder, const std::vector<double>& radii, double y) {
@@ -71,11 +84,18 @@ Eigen::VectorXd diffused(const TriangleSurface& surface, const Connectivity& mes
 }  // namespace
 
 std::vector<double> local_radius(const TriangleSurface& surface, const Connectivity& mesh,
-                                 const HolomorphicForm& form, const Foliation& foliation) {
+                                 const HolomorphicForm& form, const Foliation& foliation,
+                                 int first_pole) {
+  const auto is_pole = [&](int component) {
+    return foliation.graph.components[component].loop >= first_pole;
+  };
   const auto cylinder_count = static_cast<int>(foliation.cylinders.size());
   std::vector<std::vector<double>> radii(foliation.cylinders.size());
   parallel_tasks(radii.size(), [&](std::size_t c) {
-    radii[c] = loop_radii(surface, mesh, form, foliation.cylinders[c]);
+    const Cylinder& cylinder = foliation.cylinders[c];
+    radii[c] = loop_radii(surface, mesh, form, cylinder);
+    if (is_pole(cylinder.bottom)) widen_dome(radii[c].begin(), radii[c].end());
+    if (is_pole(cylinder.top)) widen_dome(radii[c].rbegin(), radii[c].rend());
   });
   // Area-weighted means over the triangles of each vertex, by the heights of their centroids.
   Eigen::VectorXd mass = Eigen::VectorXd::Constant(mesh.vertex_count(), 1e-300);

@@ -11,10 +11,11 @@ namespace {
 
 using Face = std::array<Vec3, 4>;
 
-Face level_face(const Column& column, double fraction) {
+Face level_face(const Column& column, double level) {
   Face face;
   for (int k = 0; k < 4; ++k) {
-    face[k] = column.base[k] + fraction * column.thickness[k] * column.direction[k];
+    face[k] =
+        point_at(column.base[k], column.direction[k], column.outward[k], column.inward[k], level);
   }
   return face;
 }
@@ -38,23 +39,24 @@ double split_height(const Face& face, int k, const Vec3& below, const Vec3& abov
 }  // namespace
 
 Column column_of(const QuadMesh& quads, int quad, const std::vector<Vec3>& directions,
-                 double thickness) {
+                 const WallShape& shape) {
   Column column;
   for (int k = 0; k < 4; ++k) {
     const int v = quads.quads[quad][k];
     column.base[k] = quads.points[v];
     column.direction[k] = directions[v];
-    column.thickness[k] = thickness;
+    column.outward[k] = shape.outward.empty() ? 0.0 : shape.outward[v];
+    column.inward[k] = shape.inward.empty() ? 0.0 : shape.inward[v];
   }
   return column;
 }
 
-ColumnQuality column_quality(const Column& column, const std::vector<double>& fractions) {
+ColumnQuality column_quality(const Column& column, const std::vector<double>& levels) {
   ColumnQuality quality;
-  Face low = level_face(column, 0.0);
+  Face low = level_face(column, levels.front());
   Vec3 center_below = Vec3::Zero();
-  for (std::size_t i = 0; i + 1 < fractions.size(); ++i) {
-    const Face high = level_face(column, fractions[i + 1]);
+  for (std::size_t i = 0; i + 1 < levels.size(); ++i) {
+    const Face high = level_face(column, levels[i + 1]);
     const Vec3 center_above = 0.5 * (center(low) + center(high));
     const double height = (center(high) - center(low)).norm();
     if (i > 0) {
@@ -80,15 +82,6 @@ double flat_quality(const Column& column) {
     least = std::min(least, u.cross(v).dot(column.direction[k]));
   }
   return least;
-}
-
-std::vector<double> layer_fractions(int layers, double growth) {
-  std::vector<double> fractions{0.0};
-  double height = 1.0;
-  for (int i = 0; i < layers; ++i, height *= growth) fractions.push_back(fractions.back() + height);
-  for (double& f : fractions) f /= fractions.back();
-  fractions.back() = 1.0;
-  return fractions;
 }
 
 }  // namespace hexwall

@@ -3,21 +3,29 @@
 #include <array>
 #include <vector>
 
+#include "hex/layers.h"
 #include "quad/quad_mesh.h"
 
 namespace hexwall {
 
+/// What is extruded from a quad mesh: layers, and how thick they are together on each side.
+struct WallShape {
+  LayerPlan plan;
+  std::vector<double> outward;  ///< #V thickness; empty without layers on that side
+  std::vector<double> inward;   ///< #V thickness; empty without layers on that side
+};
+
 /// A quad of the surface with what is extruded from it: a column of hexes.
 struct Column {
   std::array<Vec3, 4> base;       ///< corners, counter-clockwise seen from outside
-  std::array<Vec3, 4> direction;  ///< unit vectors
-  std::array<double, 4> thickness;
+  std::array<Vec3, 4> direction;  ///< unit vectors, outward
+  std::array<double, 4> outward;  ///< thickness
+  std::array<double, 4> inward;   ///< thickness
 };
 
-/// The column of a quad with the same thickness at its four corners. \param directions one per
-/// vertex.
+/// The column of a quad. \param directions #V.
 Column column_of(const QuadMesh& quads, int quad, const std::vector<Vec3>& directions,
-                 double thickness);
+                 const WallShape& shape);
 
 struct ColumnQuality {
   /// Least scaled Jacobian of the column's hexes.
@@ -30,14 +38,17 @@ struct ColumnQuality {
   double face_split = 1.0;
 };
 
-/// \param fractions layer boundaries, as of `layer_fractions`.
-ColumnQuality column_quality(const Column& column, const std::vector<double>& fractions);
+/// \param levels of the layer boundaries, rising, see `LayerPlan`.
+ColumnQuality column_quality(const Column& column, const std::vector<double>& levels);
 
 /// Least triple product of the unit edges and the direction at the corners of the base: the scaled
 /// Jacobian in the limit of no thickness.
 double flat_quality(const Column& column);
 
-/// Heights of the layer boundaries as fractions of the thickness: layers + 1 values from 0 to 1.
-std::vector<double> layer_fractions(int layers, double growth);
+/// A point of the column's edge at a corner, at a level.
+inline Vec3 point_at(const Vec3& base, const Vec3& direction, double outward, double inward,
+                     double level) {
+  return base + level * (level < 0.0 ? inward : outward) * direction;
+}
 
 }  // namespace hexwall

@@ -6,7 +6,6 @@
 #include <Eigen/Geometry>
 
 #include "core/parallel.h"
-#include "hex/column.h"
 #include "quad/quality.h"
 
 namespace hexwall {
@@ -18,6 +17,8 @@ constexpr double good_scaled_jacobian = 0.35;
 constexpr double good_face_split = 0.1;
 // Smoothing never tilts a direction so far that a thin wall would fall below this.
 constexpr double least_steepness = 0.4;
+// Patches grow by a ring of vertices a round: no bad column needs its surroundings from further.
+constexpr int most_rounds = 100;
 
 Vec3 flattened(const Vec3& direction, const LoopPlane& plane) {
   const Vec3 flat = direction - direction.dot(plane.normal) * plane.normal;
@@ -27,13 +28,12 @@ Vec3 flattened(const Vec3& direction, const LoopPlane& plane) {
 
 class Smoother {
  public:
-  Smoother(const QuadMesh& quads, const std::vector<LoopPlane>& planes,
-           const SmoothDirectionsOptions& options, std::vector<Vec3>& directions)
+  Smoother(const QuadMesh& quads, const std::vector<LoopPlane>& planes, const WallShape& shape,
+           std::vector<Vec3>& directions)
       : quads_(quads),
         planes_(planes),
-        options_(options),
+        shape_(shape),
         directions_(directions),
-        fractions_(layer_fractions(options.layers, options.growth)),
         edges_(edges_of(quads)),
         bad_(quads.quads.size(), 1),
         corner_normals_(directions.size()) {
@@ -49,7 +49,7 @@ class Smoother {
   int run() {
     std::vector<char> ever(directions_.size(), 0);
     std::vector<char> marked(directions_.size(), 1);
-    for (int round = 0; round < options_.rounds; ++round) {
+    for (int round = 0; round < most_rounds; ++round) {
       marked = around_bad_columns(marked);
       if (std::find(marked.begin(), marked.end(), 1) == marked.end()) break;
       average(marked);
@@ -60,8 +60,8 @@ class Smoother {
 
  private:
   bool is_bad(std::size_t q) const {
-    const Column column = column_of(quads_, static_cast<int>(q), directions_, options_.thickness);
-    const ColumnQuality quality = column_quality(column, fractions_);
+    const Column column = column_of(quads_, static_cast<int>(q), directions_, shape_);
+    const ColumnQuality quality = column_quality(column, shape_.plan.levels);
     // A quad that is itself poor can't give better hexes.
     const double attainable = 0.9 * scaled_jacobian(column.base);
     return quality.scaled_jacobian < std::min(good_scaled_jacobian, attainable) ||
@@ -115,9 +115,8 @@ class Smoother {
 
   const QuadMesh& quads_;
   const std::vector<LoopPlane>& planes_;
-  const SmoothDirectionsOptions& options_;
+  const WallShape& shape_;
   std::vector<Vec3>& directions_;
-  std::vector<double> fractions_;
   std::vector<std::array<int, 2>> edges_;
   std::vector<char> bad_;                          // #Q
   std::vector<std::vector<Vec3>> corner_normals_;  // of the quads around each vertex
@@ -136,8 +135,8 @@ void flatten_at_loops(const QuadMesh& quads, const std::vector<LoopPlane>& plane
 }
 
 int smooth_directions(const QuadMesh& quads, const std::vector<LoopPlane>& planes,
-                      const SmoothDirectionsOptions& options, std::vector<Vec3>& directions) {
-  return Smoother(quads, planes, options, directions).run();
+                      const WallShape& shape, std::vector<Vec3>& directions) {
+  return Smoother(quads, planes, shape, directions).run();
 }
 
 }  // namespace hexwall

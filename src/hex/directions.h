@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "hex/column.h"
 #include "quad/quad_mesh.h"
 #include "surface/loop_plane.h"
 
@@ -12,19 +13,12 @@ namespace hexwall {
 void flatten_at_loops(const QuadMesh& quads, const std::vector<LoopPlane>& planes,
                       std::vector<Vec3>& directions);
 
-struct SmoothDirectionsOptions {
-  double thickness = 1.0;  ///< of the wall to come, in the mesh's length unit
-  int layers = 3;
-  double growth = 1.0;
-  int rounds = 100;
-};
-
 /// Smooths the directions of extrusion where, and only where, columns of hexes would come out bad:
 /// on creases, on noise, and where the surface curves more than the wall is thick. Each round
 /// replaces the directions around bad columns by the mean of their neighbours', so that the
 /// smoothed patches grow as long as needed. Directions at planar loops stay in their planes.
-/// \returns the number of vertices whose direction changed.
+/// \param shape the wall as asked for. \returns the number of vertices whose direction changed.
 int smooth_directions(const QuadMesh& quads, const std::vector<LoopPlane>& planes,
-                      const SmoothDirectionsOptions& options, std::vector<Vec3>& directions);
+                      const WallShape& shape, std::vector<Vec3>& directions);
 
 }  // namespace hexwall

@@ -8,7 +8,6 @@
 #include <Eigen/Geometry>
 
 #include "core/parallel.h"
-#include "hex/column.h"
 #include "quad/quality.h"
 
 namespace hexwall {
@@ -27,6 +26,7 @@ constexpr double first_move = 0.3;
 constexpr double first_tilt = 0.3;
 constexpr double smallest_step = 0.02;
 constexpr int step_directions = 8;
+constexpr int most_sweeps = 60;
 
 double square(double x) {
   return x * x;
@@ -35,13 +35,12 @@ double square(double x) {
 class Polisher {
  public:
   Polisher(QuadMesh& quads, std::vector<SurfacePoint>& places, std::vector<Vec3>& directions,
-           const SurfaceProjector& projector, const PolishOptions& options)
+           const SurfaceProjector& projector, const WallShape& shape)
       : quads_(quads),
         places_(places),
         directions_(directions),
         projector_(projector),
-        options_(options),
-        fractions_(layer_fractions(options.layers, options.growth)),
+        shape_(shape),
         first_quad_(quads.points.size() + 1, 0),
         quads_of_vertex_(4 * quads.quads.size()),
         shortfall_(quads.quads.size()),
@@ -62,7 +61,7 @@ class Polisher {
     parallel_for(shortfall_.size(),
                  [&](std::size_t q) { shortfall_[q] = shortfall(static_cast<int>(q)); });
     result.columns_before = count_short();
-    for (int sweep = 0; sweep < options_.sweeps; ++sweep) {
+    for (int sweep = 0; sweep < most_sweeps; ++sweep) {
       bool changed = false;
       for (const int v : vertices_of_short_columns()) changed = improve(v) || changed;
       if (!changed) break;
@@ -78,11 +77,11 @@ class Polisher {
         std::count_if(shortfall_.begin(), shortfall_.end(), [](double s) { return s > 0.0; }));
   }
 
-  Column column(int q) const { return column_of(quads_, q, directions_, options_.thickness); }
+  Column column(int q) const { return column_of(quads_, q, directions_, shape_); }
 
   double shortfall(int q) const {
     const Column c = column(q);
-    const ColumnQuality quality = column_quality(c, fractions_);
+    const ColumnQuality quality = column_quality(c, shape_.plan.levels);
     return square(std::max(0.0, wanted_quad_jacobian - scaled_jacobian(c.base))) +
            square(std::max(0.0, wanted_hex_jacobian - quality.scaled_jacobian)) +
            square(std::max(0.0, wanted_face_split - quality.face_split));
@@ -195,8 +194,7 @@ class Polisher {
   std::vector<SurfacePoint>& places_;
   std::vector<Vec3>& directions_;
   const SurfaceProjector& projector_;
-  const PolishOptions& options_;
-  std::vector<double> fractions_;
+  const WallShape& shape_;
   std::vector<int> first_quad_, quads_of_vertex_;
   std::vector<double> shortfall_;
   std::vector<double> step_;
@@ -207,8 +205,8 @@ class Polisher {
 
 PolishResult polish(QuadMesh& quads, std::vector<SurfacePoint>& places,
                     std::vector<Vec3>& directions, const SurfaceProjector& projector,
-                    const PolishOptions& options) {
-  return Polisher(quads, places, directions, projector, options).run();
+                    const WallShape& shape) {
+  return Polisher(quads, places, directions, projector, shape).run();
 }
 
 }  // namespace hexwall

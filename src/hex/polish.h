@@ -2,17 +2,11 @@
 
 #include <vector>
 
+#include "hex/column.h"
 #include "quad/quad_mesh.h"
 #include "surface/projector.h"
 
 namespace hexwall {
-
-struct PolishOptions {
-  double thickness = 1.0;  ///< of the wall to come, in the mesh's length unit
-  int layers = 3;
-  double growth = 1.0;
-  int sweeps = 60;
-};
 
 struct PolishResult {
   int columns_before = 0;  ///< columns of hexes short of the goals before and after
@@ -25,9 +19,9 @@ struct PolishResult {
 /// search on the sum of the squared shortfalls of `ColumnQuality`. All other vertices stay.
 /// Vertices of boundary loops stay where they are.
 /// \param places #V triangle and position of each vertex of `quads`; updated with `quads.points`.
-/// \param directions #V unit vectors; updated.
+/// \param directions #V unit vectors; updated. \param shape the wall as asked for.
 PolishResult polish(QuadMesh& quads, std::vector<SurfacePoint>& places,
                     std::vector<Vec3>& directions, const SurfaceProjector& projector,
-                    const PolishOptions& options);
+                    const WallShape& shape);
 
 }  // namespace hexwall

@@ -27,7 +27,10 @@ bool is_allowed(char c) {
 }
 
 bool is_reserved(const std::string& name) {
-  return name == "inner_wall" || name == "outer_wall";
+  const std::string suffix = "_wall";
+  const bool is_wall = name.size() >= suffix.size() &&
+                       name.compare(name.size() - suffix.size(), suffix.size(), suffix) == 0;
+  return is_wall || name == "wall" || name == "lumen" || name == "core" || name == "interface";
 }
 
 NamedPlace place_of(const nlohmann::json& entry) {
@@ -43,10 +46,8 @@ NamedPlace place_of(const nlohmann::json& entry) {
   NamedPlace place{entry["name"].get<std::string>(),
                    {at[0].get<double>(), at[1].get<double>(), at[2].get<double>()}};
   if (!is_valid_name(place.name)) {
-    throw ReadError(fmt::format(
-        "'{}' cannot be the name of a patch: letters, digits, '_', '-' and '.' are allowed, "
-        "beginning with a letter or '_'; inner_wall and outer_wall are taken",
-        place.name));
+    throw ReadError(
+        fmt::format("'{}' cannot be the name of a patch: {}", place.name, valid_name_rule()));
   }
   return place;
 }
@@ -141,12 +142,19 @@ bool is_valid_name(const std::string& name) {
          std::all_of(name.begin(), name.end(), is_allowed) && !is_reserved(name);
 }
 
+std::string valid_name_rule() {
+  return "letters, digits, '_', '-' and '.' are allowed, beginning with a letter or '_'; wall, "
+         "lumen, core, interface and all that ends in _wall are taken";
+}
+
 std::string valid_name(const std::string& name) {
   std::string result = name;
   for (char& c : result) {
     if (!is_allowed(c)) c = '_';
   }
-  return is_valid_name(result) ? result : "_" + result;
+  if (result.empty() || !is_letter(result.front())) result = '_' + result;
+  if (is_reserved(result)) result += '_';
+  return result;
 }
 
 }  // namespace hexwall

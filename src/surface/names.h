@@ -28,9 +28,11 @@ std::vector<std::string> assign_names(const std::vector<Vec3>& centers,
                                       const std::vector<NamedPlace>& places,
                                       const std::vector<NamedPlace>& defaults = {});
 
-/// Whether OpenFOAM takes a name as that of a patch, and no other patch of a wall has it: letters,
-/// digits, '_', '-' and '.', not beginning with a digit, '-' or '.'; not inner_wall or outer_wall.
+/// Whether OpenFOAM takes a name as that of a patch or zone, and nothing else of a wall has it.
 bool is_valid_name(const std::string& name);
+
+/// What makes a name valid, for messages.
+std::string valid_name_rule();
 
 /// The name with everything that makes it invalid replaced by '_'.
 std::string valid_name(const std::string& name);

@@ -45,6 +45,19 @@ Vec3 barycentric_coordinates(const TriangleSurface& surface, const SurfacePoint&
   return {1.0 - wb - wc, wb, wc};
 }
 
+std::vector<double> interpolated_values(const TriangleSurface& surface,
+                                        const std::vector<double>& values,
+                                        const std::vector<SurfacePoint>& points) {
+  std::vector<double> result;
+  result.reserve(points.size());
+  for (const SurfacePoint& point : points) {
+    const Vec3 w = barycentric_coordinates(surface, point);
+    const auto& [a, b, c] = surface.triangles[point.face];
+    result.push_back(w[0] * values[a] + w[1] * values[b] + w[2] * values[c]);
+  }
+  return result;
+}
+
 std::vector<Vec3> interpolated_normals(const TriangleSurface& surface,
                                        const std::vector<SurfacePoint>& points) {
   const std::vector<Vec3> normals = vertex_normals(surface);

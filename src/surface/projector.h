@@ -20,6 +20,11 @@ Vec3 barycentric_coordinates(const TriangleSurface& surface, const SurfacePoint&
 std::vector<Vec3> interpolated_normals(const TriangleSurface& surface,
                                        const std::vector<SurfacePoint>& points);
 
+/// Values at points of the surface, interpolated linearly. \param values #V.
+std::vector<double> interpolated_values(const TriangleSurface& surface,
+                                        const std::vector<double>& values,
+                                        const std::vector<SurfacePoint>& points);
+
 /// Nearest points on a surface, found by walking from triangle to neighbouring triangle. It stays
 /// on the sheet where it starts, however close another branch passes by.
 class SurfaceProjector {

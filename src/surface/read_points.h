@@ -12,4 +12,13 @@ namespace hexwall {
 /// content.
 std::vector<Vec3> read_points(const std::filesystem::path& path);
 
+/// A value at a place.
+struct PointValue {
+  Vec3 at;
+  double value;
+};
+
+/// The same with a value: x y z value on each line.
+std::vector<PointValue> read_point_values(const std::filesystem::path& path);
+
 }  // namespace hexwall

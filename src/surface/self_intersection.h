@@ -13,4 +13,8 @@ namespace hexwall {
 /// Cost: O((#F + #pairs) log #F).
 std::vector<std::pair<int, int>> self_intersections(const TriangleSurface& surface);
 
+/// The same among the given triangles only. \param triangles sorted, each once.
+std::vector<std::pair<int, int>> self_intersections(const TriangleSurface& surface,
+                                                    const std::vector<int>& triangles);
+
 }  // namespace hexwall

@@ -33,9 +33,9 @@ HexMesh cylinder_wall(double size, int layers) {
   const int along = static_cast<int>(std::lround(2.0 / (0.5 * std::numbers::sqrt3 * edge)));
   PipelineOptions options;
   options.size = size;
-  options.layers = layers;
-  options.thickness = kOuterRadius - kInnerRadius;
-  return run_pipeline(cylinder(kInnerRadius, 2.0, around, along), options).wall.mesh;
+  options.outward->layers = layers;
+  options.outward->thickness = kOuterRadius - kInnerRadius;
+  return run_pipeline(cylinder(kInnerRadius, 2.0, around, along), options).wall;
 }
 
 /// The material of each zone, by name; all of them equal if there is one only.
@@ -184,8 +184,8 @@ TEST(CalculixBifurcation, PressureOnEachPatchGivesPressureTimesArea) {
   const TemporaryFolder folder;
   PipelineOptions options;
   options.size = 0.4;
-  options.layers = 2;
-  const HexMesh mesh = run_pipeline(generate_shape(Shape::bifurcation, 0.25), options).wall.mesh;
+  options.outward->layers = 2;
+  const HexMesh mesh = run_pipeline(generate_shape(Shape::bifurcation, 0.25), options).wall;
   write_abaqus(folder / "wall.inp", mesh);
   for (const BoundaryPatch& patch : mesh.patches) {
     const std::string held = held_against(patch.name);

@@ -142,7 +142,7 @@ TEST(GmshFile, OfABifurcationIsConvertedInSilence) {
   const TemporaryFolder folder;
   PipelineOptions options;
   options.size = 0.3;
-  const HexMesh mesh = run_pipeline(generate_shape(Shape::bifurcation, 0.25), options).wall.mesh;
+  const HexMesh mesh = run_pipeline(generate_shape(Shape::bifurcation, 0.25), options).wall;
   write_gmsh(folder / "a.msh", mesh);
   const ChildResult run =
       run_child({"gmsh", folder / "a.msh", "-save", "-format", "msh22", "-o", folder / "b.msh"});

@@ -184,7 +184,7 @@ class SvMultiPhysicsOfVessel : public SvMultiPhysics {
   static HexMesh bifurcation_wall() {
     PipelineOptions options;
     options.size = 0.3;
-    return run_pipeline(generate_shape(Shape::bifurcation, 0.25), options).wall.mesh;
+    return run_pipeline(generate_shape(Shape::bifurcation, 0.25), options).wall;
   }
 };
 

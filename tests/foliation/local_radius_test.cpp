@@ -14,7 +14,8 @@ std::vector<double> radii_of(const TriangleSurface& surface) {
   const Connectivity mesh(static_cast<int>(surface.points.size()), surface.triangles);
   const Eigen::VectorXd edge = Eigen::VectorXd::Ones(mesh.face_count());
   const auto s = solve_form({surface, mesh, edge});
-  return local_radius(s.refined.surface, s.connectivity, s.form, foliate(s.connectivity, s.form));
+  return local_radius(s.refined.surface, s.connectivity, s.form, foliate(s.connectivity, s.form),
+                      s.first_pole());
 }
 
 TEST(LocalRadius, OfACylinderIsItsRadius) {

@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "core/errors.h"
+#include "hex/directions.h"
+#include "hex/thickness.h"
 #include "support/expect_error.h"
 #include "support/verify_wall.h"
 
@@ -98,50 +100,97 @@ TEST(FlattenAtLoops, KeepsDirectionsAcrossThePlaneOfTheLoop) {
   for (const Vec3& direction : t.directions) EXPECT_EQ(direction, Vec3(Vec3::UnitZ()));
 }
 
-TEST(Extrude, FillsATube) {
+WallShape outward_shape(const Tube& t, double thickness, int layers = 3) {
+  return {plan_layers(graded_layers(layers, 1.0, "layer_"), {}),
+          std::vector<double>(t.quads.points.size(), thickness),
+          {}};
+}
+
+WallShape inward_shape(const Tube& t, double thickness) {
+  return {plan_layers({}, graded_layers(3, 1.0, "lumen_layer_")),
+          {},
+          std::vector<double>(t.quads.points.size(), thickness)};
+}
+
+double ring_volume(double inner, double outer) {
+  return 12.0 * std::sin(2.0 * pi / 24) * (outer * outer - inner * inner) * 2.0;
+}
+
+TEST(Extrude, FillsATubeOutward) {
   const Tube t = tube(24, 6, 1.0, 2.0);
-  ExtrudeOptions options;
-  options.thickness = 0.5;
-  options.layers = 3;
-  const ExtrudeResult result = extrude(t.quads, t.directions, {"a", "b"}, options);
-  const HexVerdict verdict = verify_wall(result.mesh);
+  const HexMesh mesh = extrude(t.quads, t.directions, {"a", "b"}, outward_shape(t, 0.5));
+  const HexVerdict verdict = verify_wall(mesh);
   EXPECT_TRUE(verdict.faults.none()) << verdict.faults.text();
-  EXPECT_NEAR(verdict.hex_volume, 12.0 * std::sin(2.0 * pi / 24) * (1.5 * 1.5 - 1.0) * 2.0, 1e-12);
-  EXPECT_EQ(result.thickness_min, 0.5);
-  EXPECT_EQ(result.reduced_area_fraction, 0.0);
+  EXPECT_NEAR(verdict.hex_volume, ring_volume(1.0, 1.5), 1e-12);
+}
+
+TEST(Extrude, FillsATubeInward) {
+  const Tube t = tube(24, 6, 1.0, 2.0);
+  const HexMesh mesh = extrude(t.quads, t.directions, {"a", "b"}, inward_shape(t, 0.25));
+  const HexVerdict verdict = verify_wall(mesh);
+  EXPECT_TRUE(verdict.faults.none()) << verdict.faults.text();
+  EXPECT_NEAR(verdict.hex_volume, ring_volume(0.75, 1.0), 1e-12);
+  ASSERT_EQ(mesh.patches.size(), 4U);
+  EXPECT_EQ(mesh.patches[0].name, "core");
+  EXPECT_FALSE(mesh.patches[0].is_wall);
+  EXPECT_EQ(mesh.patches[1].name, "wall");
+  ASSERT_EQ(mesh.regions.size(), 1U);
+  EXPECT_EQ(mesh.regions[0].name, "lumen");
+  EXPECT_TRUE(mesh.face_zones.empty());
+}
+
+/// Two regions in one mesh; the interface is the surface, every quad of it once, and each of its
+/// faces points from the lumen into the wall.
+TEST(Extrude, JoinsBothSidesAtTheSurface) {
+  const Tube t = tube(24, 6, 1.0, 2.0);
+  WallShape shape = outward_shape(t, 0.5, 2);
+  shape.plan = plan_layers(graded_layers(2, 1.0, "layer_"), graded_layers(3, 1.2, "lumen_layer_"));
+  shape.inward.assign(t.quads.points.size(), 0.25);
+  const HexMesh mesh = extrude(t.quads, t.directions, {"a", "b"}, shape);
+  const HexVerdict verdict = verify_wall(mesh);
+  EXPECT_TRUE(verdict.faults.none()) << verdict.faults.text();
+  EXPECT_NEAR(verdict.hex_volume, ring_volume(0.75, 1.5), 1e-12);
+  std::vector<std::string> names;
+  for (const BoundaryPatch& patch : mesh.patches) names.push_back(patch.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"core", "outer_wall", "a", "b", "a_wall", "b_wall"}));
+  ASSERT_EQ(mesh.regions.size(), 2U);
+  EXPECT_EQ(mesh.regions[0].hexes.size(), 3 * t.quads.quads.size());
+  EXPECT_EQ(mesh.regions[1].hexes.size(), 2 * t.quads.quads.size());
+  ASSERT_EQ(mesh.face_zones.size(), 1U);
+  ASSERT_EQ(mesh.face_zones[0].faces.size(), t.quads.quads.size());
+  for (std::size_t q = 0; q < t.quads.quads.size(); ++q) {
+    const BoundaryFace& face = mesh.face_zones[0].faces[q];
+    for (int k = 0; k < 4; ++k) {
+      EXPECT_EQ(mesh.points[face.vertices[k]], t.quads.points[t.quads.quads[q][k]]);
+    }
+    EXPECT_LT(mesh.layer[face.hex], 3);
+  }
 }
 
 /// Into a tube there is room for less than its radius.
-TEST(Extrude, ThinsTheWallWhereDirectionsMeet) {
-  Tube t = tube(24, 6, 1.0, 2.0);
-  for (Vec3& direction : t.directions) direction = -direction;
-  for (auto& quad : t.quads.quads) std::swap(quad[1], quad[3]);
-  ExtrudeOptions options;
-  options.thickness = 3.0;
-  const ExtrudeResult result = extrude(t.quads, t.directions, {"a", "b"}, options);
-  const HexVerdict verdict = verify_wall(result.mesh);
+TEST(FitThickness, ThinsTheLayersWhereDirectionsMeet) {
+  const Tube t = tube(24, 6, 1.0, 2.0);
+  WallShape shape = inward_shape(t, 3.0);
+  const ThicknessResult fit = fit_thickness(t.quads, t.directions, shape, Side::inward);
+  EXPECT_NEAR(fit.reduced_area_fraction, 1.0, 1e-12);
+  for (const double given : fit.given) EXPECT_TRUE(given > 0.0 && given < 1.0) << given;
+  shape.inward = fit.given;
+  const HexVerdict verdict = verify_wall(extrude(t.quads, t.directions, {"a", "b"}, shape));
   EXPECT_TRUE(verdict.faults.none()) << verdict.faults.text();
-  EXPECT_LT(result.thickness_min, 1.0);
-  EXPECT_NEAR(result.reduced_area_fraction, 1.0, 1e-12);
+  EXPECT_GE(verdict.min_scaled_jacobian, 0.2 - 1e-12);
 }
 
-TEST(Extrude, RefusesAFoldedSurfaceAndSaysWhere) {
+TEST(FitThickness, RefusesAFoldedSurfaceAndSaysWhere) {
   Tube t = tube(24, 6, 1.0, 2.0);
   t.quads.points[50] = t.quads.points[0];
-  expect_error(ExitCode::meshing, {"no wall", "(", "smaller --size"}, [&] {
-    extrude(t.quads, t.directions, {"a", "b"}, {});
-  });
+  expect_error(ExitCode::meshing, {"no wall", "(", "smaller --size"},
+               [&] { fit_thickness(t.quads, t.directions, outward_shape(t, 0.5), Side::outward); });
 }
 
-TEST(Extrude, RefusesAThicknessThatIsOutOfAllProportion) {
-  Tube t = tube(24, 6, 1.0, 2.0);
-  for (Vec3& direction : t.directions) direction = -direction;
-  for (auto& quad : t.quads.quads) std::swap(quad[1], quad[3]);
-  ExtrudeOptions options;
-  options.thickness = 1e5;
-  expect_error(ExitCode::meshing, {"no wall of positive thickness"}, [&] {
-    extrude(t.quads, t.directions, {"a", "b"}, options);
-  });
+TEST(FitThickness, RefusesAThicknessThatIsOutOfAllProportion) {
+  const Tube t = tube(24, 6, 1.0, 2.0);
+  expect_error(ExitCode::meshing, {"no wall of positive thickness"},
+               [&] { fit_thickness(t.quads, t.directions, inward_shape(t, 1e5), Side::inward); });
 }
 
 }  // namespace

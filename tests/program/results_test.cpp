@@ -111,9 +111,27 @@ TEST_F(Program, HelpsAndTellsItsVersion) {
   }
   const ChildResult mesh_help = run_hexwall({"mesh", "--help"});
   EXPECT_EQ(mesh_help.exit_code, 0);
-  for (const char* option :
-       {"SURFACE", "--output", "--size", "--thickness", "--layers", "--growth", "--units",
-        "--relax", "--poles", "--write", "--write-basis", "--threads", "--quiet", "--verbose"}) {
+  for (const char* option : {"SURFACE",
+                             "--output",
+                             "--size",
+                             "--side",
+                             "--thickness",
+                             "--thickness-ratio",
+                             "--thickness-array",
+                             "--thickness-file",
+                             "--thickness-strict",
+                             "--layers",
+                             "--growth",
+                             "--layer-spec",
+                             "--inner-thickness",
+                             "--units",
+                             "--relax",
+                             "--poles",
+                             "--write",
+                             "--write-basis",
+                             "--threads",
+                             "--quiet",
+                             "--verbose"}) {
     EXPECT_NE(mesh_help.out.find(option), std::string::npos) << option;
   }
   const ChildResult generate_help = run_hexwall({"generate", "--help"});
@@ -197,9 +215,11 @@ TEST_F(Program, ReportHasItsKeys) {
                           "/wall/hexes",
                           "/wall/layers",
                           "/wall/min_scaled_jacobian",
-                          "/wall/thickness_asked",
-                          "/wall/thickness_min",
-                          "/wall/reduced_area_fraction",
+                          "/wall/zones",
+                          "/wall/outward/thickness_asked/min",
+                          "/wall/outward/thickness_given/min",
+                          "/wall/outward/reduced_area_fraction",
+                          "/wall/outward/colliding_quads",
                           "/seconds/total",
                           "/peak_memory_bytes",
                           "/warnings",
@@ -223,13 +243,14 @@ TEST_F(Program, ReportHasTheNumbersOfTheRun) {
   EXPECT_EQ(report["quads"]["edge_length_quantiles"].size(), 5U);
   EXPECT_EQ(report["wall"]["layers"], 4);
   EXPECT_EQ(report["wall"]["hexes"].get<int>(), 4 * report["quads"]["count"].get<int>());
-  EXPECT_EQ(report["wall"]["thickness_asked"], 0.125);
-  EXPECT_LE(report["wall"]["thickness_min"].get<double>(), 0.125);
+  EXPECT_EQ(report["wall"]["outward"]["thickness_asked"]["max"], 0.125);
+  EXPECT_LE(report["wall"]["outward"]["thickness_given"]["min"].get<double>(), 0.125);
   const json& options = report["options"];
   EXPECT_EQ(options["size"], 0.25);
-  EXPECT_EQ(options["thickness"], 0.125);
-  EXPECT_EQ(options["layers"], 4);
-  EXPECT_EQ(options["growth"], 1.25);
+  EXPECT_EQ(options["outward"]["thickness"], 0.125);
+  EXPECT_EQ(options["outward"]["layers"], 4);
+  EXPECT_EQ(options["outward"]["growth"], 1.25);
+  EXPECT_FALSE(options.contains("inward"));
   EXPECT_EQ(options["relax"], 0.75);
   EXPECT_EQ(options["units"], "cm");
   EXPECT_TRUE(report["warnings"].is_array());
@@ -321,11 +342,11 @@ TEST_F(Program, ThicknessAtPointsIsAsReported) {
   const fs::path output = mesh("out", {"--size", "0.15", "--thickness", "1"});
   const auto quads = read_vtk<vtkXMLPolyDataReader>(output / "quads.vtp");
   const auto range = quads->GetPointData()->GetArray("thickness")->GetRange();
-  const json wall = report_in(output)["wall"];
-  EXPECT_NEAR(range[0], wall["thickness_min"].get<double>(), 1e-12);
+  const json wall = report_in(output)["wall"]["outward"];
+  EXPECT_NEAR(range[0], wall["thickness_given"]["min"].get<double>(), 1e-12);
   EXPECT_NEAR(range[1], 1.0, 1e-12);
   EXPECT_GT(wall["reduced_area_fraction"].get<double>(), 0.0);
-  EXPECT_TRUE(wall.contains("thinnest_at"));
+  EXPECT_EQ(wall["worst"]["asked"], 1.0);
   EXPECT_NE(result_.out.find("warning"), std::string::npos);
 }
 

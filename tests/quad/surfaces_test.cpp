@@ -235,7 +235,7 @@ TEST_P(Sacs, AreMeshedEvenly) {
   EXPECT_LE(r.solution.off_size_share, 0.06);
   EXPECT_LE(r.quad_quality.off_size_area_fraction, 0.06);
   EXPECT_GE(r.quad_quality.min_scaled_jacobian, 0.4);
-  EXPECT_GT(r.wall.min_scaled_jacobian, 0.0);
+  EXPECT_GT(r.min_wall_scaled_jacobian, 0.0);
   // The pole's own fields rise or fall all around its loop.
   for (const Zero& zero : r.foliation.graph.zeros) EXPECT_FALSE(r.solution.is_pole(zero.loop));
 }

@@ -43,7 +43,10 @@ void add_hex(const BlockTube& t, int i, int j, int k, HexMesh& mesh) {
   mesh.hexes.push_back({a[0], a[1], a[2], a[3], b[0], b[1], b[2], b[3]});
   mesh.layer.push_back(k);
   mesh.quad.push_back(j * t.around + i);
-  mesh.zones[k].hexes.push_back(static_cast<int>(mesh.hexes.size()) - 1);
+  const int hex = static_cast<int>(mesh.hexes.size()) - 1;
+  mesh.zones[k].hexes.push_back(hex);
+  (k < t.inner_layers ? mesh.regions.front() : mesh.regions.back()).hexes.push_back(hex);
+  if (k == t.inner_layers - 1) mesh.face_zones[0].faces.push_back({b, hex});
   add_boundary_faces(t, mesh.hexes.back(), j, k, mesh);
 }
 
@@ -56,6 +59,11 @@ HexMesh block_mesh(const BlockTube& tube) {
                   {"loop_0", false, {}},
                   {"loop_1", false, {}}};
   for (int k = 0; k < tube.layers; ++k) mesh.zones.push_back({"layer_" + std::to_string(k), {}});
+  if (tube.inner_layers > 0) {
+    mesh.regions.push_back({"lumen", {}});
+    mesh.face_zones.push_back({"interface", {}});
+  }
+  mesh.regions.push_back({"wall", {}});
   add_points(tube, mesh);
   for (int k = 0; k < tube.layers; ++k)
     for (int j = 0; j < tube.along; ++j)

@@ -12,10 +12,12 @@ struct BlockTube {
   double inner_radius = 1;
   double outer_radius = 1.5;
   double length = 3;
+  int inner_layers = 0;  ///< as many layers are the region lumen, inside the face zone interface
 };
 
 /// The hexes of `tube`, layer by layer from the lumen. Patches: inner_wall, outer_wall (walls),
-/// loop_0 (z = 0), loop_1; one zone layer_k per layer; `quad` numbers the quads of a layer.
+/// loop_0 (z = 0), loop_1; one zone layer_k per layer; region wall; `quad` numbers the quads of a
+/// layer.
 HexMesh block_mesh(const BlockTube& tube);
 
 /// Volume of the hexes of `block_mesh(tube)`, exactly: prisms over regular polygons.

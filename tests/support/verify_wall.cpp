@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "surface/self_intersection.h"
+
 namespace hexwall::test {
 namespace {
 
@@ -18,9 +20,9 @@ std::vector<Quads> faces_of_patches(const HexMesh& mesh) {
 }
 
 void expect_layers(const PipelineResult& r) {
-  const HexMesh& mesh = r.wall.mesh;
+  const HexMesh& mesh = r.wall;
   const std::size_t quads = r.quads.quads.size();
-  const std::size_t layers = r.options.layers;
+  const std::size_t layers = r.layers.layers();
   ASSERT_EQ(mesh.hexes.size(), quads * layers);
   ASSERT_EQ(mesh.quad.size(), mesh.hexes.size());
   ASSERT_EQ(mesh.layer.size(), mesh.hexes.size());
@@ -32,24 +34,36 @@ void expect_layers(const PipelineResult& r) {
   EXPECT_EQ(std::count(uses.begin(), uses.end(), 1), static_cast<long>(uses.size()));
 }
 
-void expect_patches(const PipelineResult& r) {
-  const std::vector<BoundaryPatch>& patches = r.wall.mesh.patches;
-  ASSERT_EQ(patches.size(), 2 + r.openings.size());
-  EXPECT_EQ(patches[0].name, "inner_wall");
-  EXPECT_EQ(patches[1].name, "outer_wall");
-  EXPECT_EQ(patches[0].faces.size(), r.quads.quads.size());
-  EXPECT_EQ(patches[1].faces.size(), r.quads.quads.size());
+/// The patches of the end rings begin at `first`; there are `layers` layers on their side.
+void expect_rings(const PipelineResult& r, std::size_t first, int layers,
+                  const std::string& suffix) {
   for (std::size_t i = 0; i < r.openings.size(); ++i) {
-    EXPECT_EQ(patches[i + 2].name, r.openings[i].name);
-    EXPECT_FALSE(patches[i + 2].is_wall);
+    const BoundaryPatch& patch = r.wall.patches.at(first + i);
+    EXPECT_EQ(patch.name, r.openings[i].name + suffix);
+    EXPECT_FALSE(patch.is_wall);
     EXPECT_EQ(std::count(r.quads.loop_of_vertex.begin(), r.quads.loop_of_vertex.end(),
                          static_cast<int>(i)) *
-                  r.options.layers,
-              static_cast<long>(patches[i + 2].faces.size()));
+                  layers,
+              static_cast<long>(patch.faces.size()));
+  }
+}
+
+void expect_patches(const PipelineResult& r) {
+  const std::vector<BoundaryPatch>& patches = r.wall.patches;
+  const bool both = r.inward && r.outward;
+  ASSERT_EQ(patches.size(), 2 + r.openings.size() * (both ? 2 : 1));
+  EXPECT_EQ(patches[0].name, r.inward ? "core" : "inner_wall");
+  EXPECT_EQ(patches[1].name, r.outward ? "outer_wall" : "wall");
+  EXPECT_EQ(patches[0].faces.size(), r.quads.quads.size());
+  EXPECT_EQ(patches[1].faces.size(), r.quads.quads.size());
+  if (r.inward) expect_rings(r, 2, r.layers.inner, "");
+  if (r.outward) {
+    expect_rings(r, both ? 2 + r.openings.size() : 2, r.layers.layers() - r.layers.inner,
+                 both ? "_wall" : "");
   }
   for (const BoundaryPatch& patch : patches) {
     for (const BoundaryFace& face : patch.faces) {
-      const auto& hex = r.wall.mesh.hexes.at(face.hex);
+      const auto& hex = r.wall.hexes.at(face.hex);
       for (const int v : face.vertices) {
         ASSERT_NE(std::find(hex.begin(), hex.end(), v), hex.end()) << "a face of " << patch.name;
       }
@@ -57,56 +71,58 @@ void expect_patches(const PipelineResult& r) {
   }
 }
 
-void expect_zones(const HexMesh& mesh, int layers) {
-  ASSERT_EQ(static_cast<int>(mesh.zones.size()), layers);
-  for (int k = 0; k < layers; ++k) {
-    EXPECT_EQ(mesh.zones[k].name, "layer_" + std::to_string(k + 1));
-    EXPECT_EQ(static_cast<long>(mesh.zones[k].hexes.size()),
-              std::count(mesh.layer.begin(), mesh.layer.end(), k));
-    for (const int h : mesh.zones[k].hexes) ASSERT_EQ(mesh.layer.at(h), k);
+void expect_zones(const PipelineResult& r) {
+  const HexMesh& mesh = r.wall;
+  std::vector<int> uses(mesh.hexes.size(), 0);
+  for (std::size_t z = 0; z < mesh.zones.size(); ++z) {
+    EXPECT_EQ(mesh.zones[z].name, r.layers.zone_names.at(z));
+    EXPECT_FALSE(mesh.zones[z].hexes.empty()) << "a layer is missing";
+    for (const int h : mesh.zones[z].hexes) {
+      ++uses.at(h);
+      ASSERT_EQ(r.layers.zone.at(mesh.layer.at(h)), static_cast<int>(z));
+    }
   }
+  EXPECT_EQ(std::count(uses.begin(), uses.end(), 1), static_cast<long>(uses.size()));
 }
 
 /// The thickness measured along the columns of hexes is what is reported, and nowhere more than
-/// asked for.
-void expect_reported_thickness(const PipelineResult& r) {
-  const HexMesh& mesh = r.wall.mesh;
-  const double asked = *r.options.thickness;
-  std::vector<double> thickness(r.quads.points.size(), 0.0);
-  for (std::size_t h = 0; h < mesh.hexes.size(); ++h) {
-    for (int k = 0; k < 4; ++k) {
-      // All four hexes at a vertex measure the same edge.
-      thickness[r.quads.quads[mesh.quad[h]][k]] +=
-          (mesh.points[mesh.hexes[h][k + 4]] - mesh.points[mesh.hexes[h][k]]).norm();
+/// asked for. \param first, last layers of the side.
+void expect_reported_thickness(const PipelineResult& r, const ThicknessResult& side, int first,
+                               int last, const std::string& name) {
+  const HexMesh& mesh = r.wall;
+  const auto vertices = static_cast<int>(r.quads.points.size());
+  double least_ratio = 1.0;
+  for (int v = 0; v < vertices; ++v) {
+    double thickness = 0.0;
+    for (int layer = first; layer < last; ++layer) {
+      thickness +=
+          (mesh.points[(layer + 1) * vertices + v] - mesh.points[layer * vertices + v]).norm();
     }
+    ASSERT_NEAR(thickness, side.given[v], 1e-9 * side.asked[v]);
+    ASSERT_LE(thickness, side.asked[v] * (1.0 + 1e-9));
+    ASSERT_GT(thickness, 0.0);
+    least_ratio = std::min(least_ratio, thickness / side.asked[v]);
   }
-  std::vector<int> quads_at(thickness.size(), 0);
-  for (const auto& quad : r.quads.quads) {
-    for (const int v : quad) ++quads_at[v];
-  }
-  for (std::size_t v = 0; v < thickness.size(); ++v) {
-    thickness[v] /= quads_at[v];
-    ASSERT_NEAR(thickness[v], r.wall.thickness[v], 1e-9 * asked);
-  }
-  const double least = *std::min_element(thickness.begin(), thickness.end());
-  const double greatest = *std::max_element(thickness.begin(), thickness.end());
-  EXPECT_NEAR(r.wall.thickness_min, least, 1e-9 * asked);
-  EXPECT_GT(least, 0.0);
-  EXPECT_LE(greatest, asked * (1.0 + 1e-9));
-  const bool is_told = std::any_of(
-      r.warnings.begin(), r.warnings.end(),
-      [](const std::string& warning) { return warning.find("thinner") != std::string::npos; });
-  EXPECT_EQ(is_told, r.wall.reduced_area_fraction > 0.0);
-  EXPECT_EQ(r.wall.reduced_area_fraction > 0.0, least < 0.99 * asked);
+  EXPECT_NEAR(side.ratio(side.worst_vertex), least_ratio, 1e-9);
+  EXPECT_EQ(side.reduced_area_fraction > 0.0, least_ratio < 0.99);
+  const bool is_told =
+      std::any_of(r.warnings.begin(), r.warnings.end(), [&](const std::string& warning) {
+        return warning.find(name) != std::string::npos &&
+               warning.find("thinner") != std::string::npos;
+      });
+  EXPECT_EQ(is_told, side.reduced_area_fraction > 0.0);
 }
 
-/// The lower faces of the first layer are the quads, corner by corner.
-void expect_quads_at_the_lumen(const PipelineResult& r) {
-  const HexMesh& mesh = r.wall.mesh;
+/// The faces on the surface's level are the quads, corner by corner.
+void expect_quads_on_the_surface(const PipelineResult& r) {
+  const HexMesh& mesh = r.wall;
   for (std::size_t h = 0; h < mesh.hexes.size(); ++h) {
-    if (mesh.layer[h] != 0) continue;
+    const bool above = mesh.layer[h] == r.layers.inner;
+    const bool below = mesh.layer[h] == r.layers.inner - 1;
+    if (!above && !below) continue;
     for (int k = 0; k < 4; ++k) {
-      ASSERT_EQ(mesh.points[mesh.hexes[h][k]], r.quads.points[r.quads.quads[mesh.quad[h]][k]]);
+      ASSERT_EQ(mesh.points[mesh.hexes[h][above ? k : k + 4]],
+                r.quads.points[r.quads.quads[mesh.quad[h]][k]]);
     }
   }
 }
@@ -118,15 +134,36 @@ HexVerdict verify_wall(const HexMesh& mesh) {
 }
 
 void expect_valid_wall(const PipelineResult& r) {
-  const HexVerdict verdict = verify_wall(r.wall.mesh);
+  const HexVerdict verdict = verify_wall(r.wall);
   EXPECT_TRUE(verdict.faults.none()) << verdict.faults.text();
   EXPECT_NEAR(verdict.hex_volume, verdict.boundary_volume, 1e-9 * verdict.hex_volume);
-  EXPECT_NEAR(verdict.min_scaled_jacobian, r.wall.min_scaled_jacobian, 1e-9);
+  EXPECT_NEAR(verdict.min_scaled_jacobian, r.min_wall_scaled_jacobian, 1e-9);
   expect_layers(r);
   expect_patches(r);
-  expect_zones(r.wall.mesh, r.options.layers);
-  expect_quads_at_the_lumen(r);
-  expect_reported_thickness(r);
+  expect_zones(r);
+  expect_quads_on_the_surface(r);
+  const int layers = r.layers.layers();
+  if (r.outward) expect_reported_thickness(r, *r.outward, r.layers.inner, layers, "wall");
+  if (r.inward) expect_reported_thickness(r, *r.inward, 0, r.layers.inner, "lumen");
+}
+
+/// The whole boundary of the mesh is one closed surface that nowhere meets itself, decided by CGAL
+/// on two triangles per face, whichever way the faces are split.
+void expect_no_self_intersection(const HexMesh& mesh) {
+  for (const int diagonal : {0, 1}) {
+    TriangleSurface skin;
+    skin.points = mesh.points;
+    for (const BoundaryPatch& patch : mesh.patches) {
+      for (const BoundaryFace& face : patch.faces) {
+        const auto at = [&](int k) { return face.vertices[(k + diagonal) % 4]; };
+        skin.triangles.push_back({at(0), at(1), at(2)});
+        skin.triangles.push_back({at(0), at(2), at(3)});
+      }
+    }
+    const auto pairs = self_intersections(skin);
+    EXPECT_TRUE(pairs.empty()) << pairs.size() << " pairs of triangles meet, the first at "
+                               << skin.points[skin.triangles[pairs[0].first][0]].transpose();
+  }
 }
 
 }  // namespace hexwall::test

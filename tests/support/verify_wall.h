@@ -13,4 +13,8 @@ HexVerdict verify_wall(const HexMesh& mesh);
 /// its layers, patches and zones that are what they are called, numbers as reported.
 void expect_valid_wall(const PipelineResult& result);
 
+/// Expects that the boundary of the whole mesh (skins and end rings) nowhere meets itself,
+/// whichever way its faces are split into triangles.
+void expect_no_self_intersection(const HexMesh& mesh);
+
 }  // namespace hexwall::test

@@ -53,7 +53,7 @@ TEST(Names, RefuseFilesThatAreNotOfTheForm) {
 
 TEST(Names, RefuseWhatIsNoPatchName) {
   for (const char* name :
-       {"", "my inlet", "1st", "a/b", "a;b", "$a", "-a", "inner_wall", "outer_wall", "\\u00e4"}) {
+       {"", "my inlet", "1st", "a/b", "a;b", "$a", "-a", "inner_wall", "outer_wall", "wall", "core", "lumen", "interface", "left_wall", "\\u00e4"}) {
     expect_refused(std::string(R"([{"at": [0, 0, 0], "name": ")") + name + "\"}]",
                    {"entry 1", "cannot be the name of a patch"});
   }
@@ -65,7 +65,7 @@ TEST(Names, AreMadeValidWhereTheyComeFromArrays) {
   EXPECT_EQ(valid_name("ModelFaceID_2"), "ModelFaceID_2");
   EXPECT_EQ(valid_name("my lids_1e+06"), "my_lids_1e_06");
   EXPECT_EQ(valid_name("2"), "_2");
-  EXPECT_EQ(valid_name("inner_wall"), "_inner_wall");
+  EXPECT_EQ(valid_name("inner_wall"), "inner_wall_");
   EXPECT_EQ(valid_name(""), "_");
 }
 

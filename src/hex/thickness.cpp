@@ -1,0 +1,209 @@
+#include "hex/thickness.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Geometry>
+#include <fmt/format.h>
+
+#include "core/errors.h"
+#include "core/parallel.h"
+#include "hex/skin.h"
+#include "quad/quality.h"
+
+namespace hexwall {
+namespace {
+
+// Hexes better than this need no thinner wall.
+constexpr double wanted_scaled_jacobian = 0.2;
+// Thickness shrinks by this factor per round where a column is bad: small enough steps to stay
+// near the largest thickness possible, and 1e-3 of the asked one is reached in 40 rounds.
+constexpr double shrink_factor = 0.84;
+constexpr double least_ratio = 1e-3;
+// A change of thickness along the surface by at most this slope keeps the skin smooth.
+constexpr double greatest_slope = 0.3;
+// A vertex counts as reduced below this share of the thickness asked for.
+constexpr double reduced_below = 0.99;
+// Collisions are looked for at this multiple of the thickness: what passes leaves a gap, whichever
+// way a reader of the mesh splits the faces of the skin.
+constexpr double clearance = 1.05;
+
+class Fitter {
+ public:
+  Fitter(const QuadMesh& quads, const std::vector<Vec3>& directions, const WallShape& shape,
+         Side side)
+      : quads_(quads),
+        directions_(directions),
+        side_(side),
+        levels_(side == Side::outward ? shape.plan.outer_levels() : shape.plan.inner_levels()),
+        edges_(edges_of(quads)),
+        skin_(quads, directions, side),
+        trial_(one_sided(shape)),
+        bound_(quads.quads.size()) {
+    result_.asked = given();
+    for (const auto& [a, b] : edges_) {
+      const double length = (quads.points[a] - quads.points[b]).norm();
+      const double wanted = std::abs(result_.asked[a] - result_.asked[b]);
+      room_.push_back(std::max(greatest_slope * length, wanted) * (1.0 + 1e-12));
+    }
+  }
+
+  ThicknessResult run() {
+    find_bounds();
+    shrink_bad_columns();
+    separate();
+    result_.given = given();
+    judge();
+    return std::move(result_);
+  }
+
+ private:
+  WallShape one_sided(const WallShape& shape) const {
+    WallShape trial = shape;
+    (side_ == Side::outward ? trial.inward : trial.outward).clear();
+    return trial;
+  }
+
+  std::vector<double>& given() { return side_ == Side::outward ? trial_.outward : trial_.inward; }
+
+  Column column(std::size_t q) const {
+    return column_of(quads_, static_cast<int>(q), directions_, trial_);
+  }
+
+  std::string place_of(int v) const {
+    const Vec3& at = quads_.points[v];
+    return fmt::format("({:.6g}, {:.6g}, {:.6g})", at.x(), at.y(), at.z());
+  }
+
+  // What is wanted of a column: no more than half of what it has in the limit of no thickness.
+  void find_bounds() {
+    parallel_for(bound_.size(), [&](std::size_t q) {
+      bound_[q] = std::min(wanted_scaled_jacobian, 0.5 * flat_quality(column(q)));
+    });
+    const auto worst = std::min_element(bound_.begin(), bound_.end());
+    if (*worst > 0.0) return;
+    throw MeshingError(fmt::format(
+        "no wall can be extruded at {}: the surface is folded there. Smooth or remesh it, or "
+        "choose a smaller --size",
+        place_of(quads_.quads[worst - bound_.begin()][0])));
+  }
+
+  void shrink_bad_columns() {
+    std::vector<char> bad(quads_.quads.size());
+    for (;;) {
+      parallel_for(bad.size(), [&](std::size_t q) {
+        bad[q] = column_quality(column(q), levels_).scaled_jacobian < bound_[q] ? 1 : 0;
+      });
+      std::vector<int> marked;
+      for (std::size_t q = 0; q < bad.size(); ++q) {
+        if (bad[q] != 0) marked.push_back(static_cast<int>(q));
+      }
+      if (marked.empty()) return;
+      shrink(marked, "fits");
+    }
+  }
+
+  std::vector<double> with_clearance() {
+    std::vector<double> thickness = given();
+    for (double& t : thickness) t *= clearance;
+    return thickness;
+  }
+
+  // Thins the wall until its skin nowhere meets itself: in the places found first, then over all.
+  void separate() {
+    std::vector<int> colliding = skin_.collisions(with_clearance());
+    result_.colliding_quads = static_cast<int>(colliding.size());
+    while (!colliding.empty()) {
+      const std::vector<int> among = with_neighbours(colliding);
+      while (!colliding.empty()) {
+        shrink(colliding, "keeps clear of the wall beside it");
+        colliding = skin_.collisions(with_clearance(), among);
+      }
+      shrink_bad_columns();
+      colliding = skin_.collisions(with_clearance());
+    }
+  }
+
+  std::vector<int> with_neighbours(const std::vector<int>& quads) const {
+    std::vector<char> near(quads_.points.size(), 0);
+    for (const int q : quads) {
+      for (const int v : quads_.quads[q]) near[v] = 1;
+    }
+    std::vector<int> result;
+    for (std::size_t q = 0; q < quads_.quads.size(); ++q) {
+      const auto& quad = quads_.quads[q];
+      if (std::any_of(quad.begin(), quad.end(), [&](int v) { return near[v] != 0; })) {
+        result.push_back(static_cast<int>(q));
+      }
+    }
+    return result;
+  }
+
+  void shrink(const std::vector<int>& quads, const std::string& aim) {
+    std::vector<char> marked(quads_.points.size(), 0);
+    for (const int q : quads) {
+      for (const int v : quads_.quads[q]) marked[v] = 1;
+    }
+    for (std::size_t v = 0; v < marked.size(); ++v) {
+      if (marked[v] == 0) continue;
+      given()[v] *= shrink_factor;
+      if (given()[v] >= least_ratio * result_.asked[v]) continue;
+      throw MeshingError(
+          fmt::format("no wall of positive thickness {} at {}. Smooth or remesh the surface there, "
+                      "or choose a smaller --size",
+                      aim, place_of(static_cast<int>(v))));
+    }
+    limit_slope();
+  }
+
+  void limit_slope() {
+    std::vector<double>& t = given();
+    for (bool changed = true; changed;) {
+      changed = false;
+      for (std::size_t e = 0; e < edges_.size(); ++e) {
+        const auto [a, b] = edges_[e];
+        if (std::abs(t[a] - t[b]) <= room_[e]) continue;
+        const double most = std::min(t[a], t[b]) + room_[e] / (1.0 + 1e-12);
+        t[t[a] > t[b] ? a : b] = most;
+        changed = true;
+      }
+    }
+  }
+
+  void judge() {
+    result_.worst_vertex = 0;
+    for (int v = 1; v < static_cast<int>(result_.given.size()); ++v) {
+      if (result_.ratio(v) < result_.ratio(result_.worst_vertex)) result_.worst_vertex = v;
+    }
+    double area = 0.0;
+    double reduced = 0.0;
+    for (int q = 0; q < static_cast<int>(quads_.quads.size()); ++q) {
+      const double quad_area = 0.5 * doubled_area_vector(corners_of(quads_, q)).norm();
+      area += quad_area;
+      for (const int v : quads_.quads[q]) {
+        if (result_.ratio(v) < reduced_below) reduced += 0.25 * quad_area;
+      }
+    }
+    result_.reduced_area_fraction = reduced / area;
+  }
+
+  const QuadMesh& quads_;
+  const std::vector<Vec3>& directions_;
+  Side side_;
+  std::vector<double> levels_;
+  std::vector<std::array<int, 2>> edges_;
+  std::vector<double> room_;  // #E greatest difference of thickness between the ends
+  Skin skin_;
+  WallShape trial_;
+  std::vector<double> bound_;  // #Q scaled Jacobian wanted
+  ThicknessResult result_;
+};
+
+}  // namespace
+
+ThicknessResult fit_thickness(const QuadMesh& quads, const std::vector<Vec3>& directions,
+                              const WallShape& shape, Side side) {
+  return Fitter(quads, directions, shape, side).run();
+}
+
+}  // namespace hexwall

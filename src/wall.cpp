@@ -1,0 +1,208 @@
+#include "wall.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <Eigen/Geometry>
+#include <fmt/format.h>
+
+#include "core/errors.h"
+#include "foliation/local_radius.h"
+#include "hex/directions.h"
+#include "hex/quality.h"
+
+namespace hexwall {
+namespace {
+
+constexpr double default_outward_ratio = 0.1;
+constexpr double default_inward_ratio = 0.15;
+
+void require(bool holds, const std::string& message) {
+  if (!holds) throw UsageError(message);
+}
+
+void check_side(const LayerOptions& o) {
+  const auto is_length = [](const std::optional<double>& value) {
+    return !value || (*value > 0.0 && std::isfinite(*value));
+  };
+  require(is_length(o.thickness), "--thickness must be a positive length");
+  require(is_length(o.thickness_ratio), "--thickness-ratio must be a positive ratio");
+  require(is_length(o.thickness_min) && is_length(o.thickness_max),
+          "--thickness-min and --thickness-max must be positive lengths");
+  require(!o.thickness_min || !o.thickness_max || *o.thickness_min <= *o.thickness_max,
+          "--thickness-min must not be above --thickness-max");
+  require(o.layers >= 1, "--layers must be at least 1");
+  require(o.growth > 0.0 && std::isfinite(o.growth), "--growth must be a positive ratio");
+}
+
+// Mean radius of the vessel: every ring of quads around it, taken as a circle, weighted by area.
+double mean_radius(const PipelineResult& r) {
+  double area_sum = 0.0;
+  double sum = 0.0;
+  for (std::size_t q = 0; q < r.conformal.mesh.quads.size();) {
+    const int around = r.numbers.around(r.foliation.strips, r.quads.cylinder[q]);
+    double length = 0.0;
+    double area = 0.0;
+    for (int i = 0; i < around; ++i, ++q) {
+      const auto p = corners_of(r.quads, static_cast<int>(q));
+      length += 0.5 * ((p[1] - p[0]).norm() + (p[2] - p[3]).norm());
+      area += 0.5 * doubled_area_vector(p).norm();
+    }
+    area_sum += area;
+    sum += area * length / (2.0 * std::numbers::pi);
+  }
+  return sum / area_sum;
+}
+
+// Mean of values at the vertices of a loop.
+double loop_mean(const std::vector<double>& values, const std::vector<int>& loop) {
+  double sum = 0.0;
+  for (const int v : loop) sum += values[v];
+  return sum / static_cast<double>(loop.size());
+}
+
+// Local radius at the quads' vertices, taken where they lay before relaxation; the vertices that
+// close a pole have that of its loop.
+std::vector<double> radii_of_vertices(const PipelineResult& r) {
+  const FormSolution& s = r.solution;
+  const std::vector<double> of_surface =
+      local_radius(s.refined.surface, s.connectivity, s.form, r.foliation, s.first_pole());
+  std::vector<SurfacePoint> places;
+  for (std::size_t v = 0; v < r.conformal.face.size(); ++v) {
+    places.push_back({r.conformal.face[v], r.conformal.mesh.points[v]});
+  }
+  std::vector<double> radii = interpolated_values(s.refined.surface, of_surface, places);
+  radii.resize(r.quads.points.size());
+  for (const PoleCap& cap : r.pole_caps) {
+    const double radius = loop_mean(of_surface, s.connectivity.loops()[cap.loop]);
+    const int last = cap.first_quad + cap.around * cap.around / 16;
+    for (int q = cap.first_quad; q < last; ++q) {
+      for (const int v : r.quads.quads[q]) {
+        if (v >= static_cast<int>(places.size())) radii[v] = radius;
+      }
+    }
+  }
+  return radii;
+}
+
+std::vector<double> asked_thickness(const PipelineResult& r, const LayerOptions& o,
+                                    const std::vector<SurfacePoint>& places) {
+  std::vector<double> thickness(places.size(), o.thickness.value_or(0.0));
+  if (!o.thickness_field.empty()) {
+    thickness = interpolated_values(r.surface, o.thickness_field, places);
+  } else if (o.thickness_ratio) {
+    thickness = r.radius;
+    for (double& t : thickness) t *= *o.thickness_ratio;
+  }
+  for (std::size_t v = 0; v < thickness.size(); ++v) {
+    double& t = thickness[v];
+    if (o.thickness_min) t = std::max(t, *o.thickness_min);
+    if (o.thickness_max) t = std::min(t, *o.thickness_max);
+    if (t > 0.0 && std::isfinite(t)) continue;
+    const Vec3& at = places[v].position;
+    throw UsageError(fmt::format(
+        "the thickness asked for is {:.6g} at ({:.6g}, {:.6g}, {:.6g}): it must be positive; "
+        "--thickness-min gives a lower bound",
+        t, at.x(), at.y(), at.z()));
+  }
+  return thickness;
+}
+
+void check_field(const PipelineResult& r, const std::optional<LayerOptions>& o) {
+  require(!o || o->thickness_field.empty() || o->thickness_field.size() == r.surface.points.size(),
+          "the thickness needs one value for each vertex");
+}
+
+void fill_in_defaults(PipelineResult& r) {
+  const auto has_default = [](const std::optional<LayerOptions>& o) {
+    return o && !o->thickness && !o->thickness_ratio && o->thickness_field.empty();
+  };
+  if (has_default(r.options.outward)) {
+    r.options.outward->thickness = default_outward_ratio * mean_radius(r);
+  }
+  if (has_default(r.options.inward)) r.options.inward->thickness_ratio = default_inward_ratio;
+}
+
+std::vector<LayerGroup> groups_of(const std::optional<LayerOptions>& o, const std::string& prefix) {
+  if (!o) return {};
+  return o->groups.empty() ? graded_layers(o->layers, o->growth, prefix) : o->groups;
+}
+
+WallShape shape_of(const PipelineResult& r, const std::vector<SurfacePoint>& places) {
+  WallShape shape{r.layers, {}, {}};
+  if (r.options.outward) shape.outward = asked_thickness(r, *r.options.outward, places);
+  if (r.options.inward) shape.inward = asked_thickness(r, *r.options.inward, places);
+  return shape;
+}
+
+// Directions of extrusion: the surface's normals, kept in the planes of the loops, smoothed where
+// the wall would not come out well.
+std::vector<Vec3> find_directions(PipelineResult& r, const std::vector<SurfacePoint>& places,
+                                  const WallShape& shape) {
+  std::vector<Vec3> directions = interpolated_normals(r.surface, places);
+  std::vector<LoopPlane> planes;
+  for (const Opening& opening : r.openings) planes.push_back(opening.plane);
+  flatten_at_loops(r.quads, planes, directions);
+  r.smoothed_directions = smooth_directions(r.quads, planes, shape, directions);
+  return directions;
+}
+
+std::optional<ThicknessResult> fit_side(const PipelineResult& r, std::vector<double>& thickness,
+                                        const std::vector<Vec3>& directions, const WallShape& shape,
+                                        Side side) {
+  if (thickness.empty()) return std::nullopt;
+  ThicknessResult result = fit_thickness(r.quads, directions, shape, side);
+  if (r.options.thickness_strict && result.reduced_area_fraction > 0.0) {
+    const int v = result.worst_vertex;
+    const Vec3& at = r.quads.points[v];
+    throw MeshingError(fmt::format(
+        "the {} have to be thinner than asked on {:.3g} % of the area, least at ({:.6g}, {:.6g}, "
+        "{:.6g}): {:.4g} instead of {:.4g}. Ask for less there, or leave out --thickness-strict",
+        side == Side::outward ? "layers of the wall" : "layers in the lumen",
+        100.0 * result.reduced_area_fraction, at.x(), at.y(), at.z(), result.given[v],
+        result.asked[v]));
+  }
+  thickness = result.given;
+  return result;
+}
+
+}  // namespace
+
+std::vector<double> target_edges(const PipelineResult& r, const std::vector<SurfacePoint>& places) {
+  std::vector<double> targets = interpolated_values(r.surface, r.relative_edge, places);
+  for (double& target : targets) target *= *r.options.size;
+  return targets;
+}
+
+void check_layer_options(const PipelineOptions& options) {
+  require(options.outward || options.inward, "layers are needed on one side at least");
+  if (options.outward) check_side(*options.outward);
+  if (options.inward) check_side(*options.inward);
+}
+
+void make_wall(PipelineResult& r, std::vector<SurfacePoint>& places,
+               const SurfaceProjector& projector) {
+  check_field(r, r.options.outward);
+  check_field(r, r.options.inward);
+  r.radius = radii_of_vertices(r);
+  fill_in_defaults(r);
+  r.layers = plan_layers(groups_of(r.options.outward, "layer_"),
+                         groups_of(r.options.inward, "lumen_layer_"));
+  WallShape shape = shape_of(r, places);
+  std::vector<Vec3> directions = find_directions(r, places, shape);
+  r.polishing = polish(r.quads, places, directions, projector, shape);
+  r.target_edge = target_edges(r, places);
+  r.quad_quality = quad_quality(r.quads, r.target_edge);
+  shape = shape_of(r, places);
+  r.outward = fit_side(r, shape.outward, directions, shape, Side::outward);
+  r.inward = fit_side(r, shape.inward, directions, shape, Side::inward);
+  std::vector<std::string> names;
+  for (const Opening& opening : r.openings) names.push_back(opening.name);
+  r.wall = extrude(r.quads, directions, names, shape);
+  r.wall_scaled_jacobian = scaled_jacobians(r.wall);
+  r.min_wall_scaled_jacobian =
+      *std::min_element(r.wall_scaled_jacobian.begin(), r.wall_scaled_jacobian.end());
+}
+
+}  // namespace hexwall
