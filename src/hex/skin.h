@@ -1,34 +1,42 @@
 #pragma once
 
+#include <array>
+#include <utility>
 #include <vector>
 
 #include "hex/thickness.h"
 
 namespace hexwall {
 
-/// The skin of one side of a wall with its end rings, in which collisions are looked for.
+/// The boundary of the layers on one side of a surface, in which collisions are looked for: the
+/// skin, the surface itself, and the end rings.
 class Skin {
  public:
   Skin(const QuadMesh& quads, const std::vector<Vec3>& directions, Side side);
 
-  /// Quads whose piece of the skin, or of an end ring, meets another piece anywhere but in common
-  /// vertices and edges, decided with exact predicates on two triangles per face. Sorted.
-  /// \param thickness #V
-  std::vector<int> collisions(const std::vector<double>& thickness);
+  /// Quads whose faces meet other faces anywhere but in common vertices and edges, decided with
+  /// exact predicates on two triangles per face. Sorted.
+  /// \param thickness #V \param diagonal 0 or 1, along which faces are split.
+  std::vector<int> collisions(const std::vector<double>& thickness, int diagonal);
 
-  /// The same among the given quads only. \param quads sorted.
-  std::vector<int> collisions(const std::vector<double>& thickness, const std::vector<int>& among);
+  /// The same among the faces of some quads only. \param among sorted.
+  std::vector<int> collisions(const std::vector<double>& thickness, int diagonal,
+                              const std::vector<int>& among);
 
  private:
-  void move_to(const std::vector<double>& thickness);
+  struct Face {
+    std::array<int, 4> vertices;
+    int quad;
+  };
+
+  void move_to(const std::vector<double>& thickness, int diagonal);
   std::vector<int> quads_of(const std::vector<std::pair<int, int>>& pairs) const;
 
   const QuadMesh& quads_;
   const std::vector<Vec3>& directions_;
   double sign_;
-  TriangleSurface surface_;         // the skin's vertices, then those of the loops
-  std::vector<int> quad_of_;        // #F of surface_
-  std::vector<int> loop_vertices_;  // of the quad mesh, behind the skin's
+  std::vector<Face> faces_;
+  TriangleSurface surface_;  // vertices of the skin, then of the quad mesh; two triangles a face
 };
 
 }  // namespace hexwall

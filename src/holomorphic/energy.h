@@ -45,6 +45,9 @@ std::unique_ptr<AreaEnergy> quartic_energy(const AreaEnergyInput& input);
 /// The same energy evaluated triangle by triangle, O(#F n) for a value. For large n.
 std::unique_ptr<AreaEnergy> facewise_energy(const AreaEnergyInput& input);
 
+/// `input.parent_face` with all but about `count` evenly spaced triangles of the input left out.
+std::vector<int> sampled_parents(const AreaEnergyInput& input, int count);
+
 /// The cheaper of the two.
 std::unique_ptr<AreaEnergy> area_energy(const AreaEnergyInput& input);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <set>
 
 #include <Eigen/Eigenvalues>
 
@@ -38,23 +39,6 @@ double exterior_period(const Eigen::VectorXd& lambda) {
   return -lambda.sum();
 }
 
-// Periods proportional to the loops' lengths on either side, balanced to sum to zero.
-Eigen::VectorXd balanced_start(const std::vector<int>& signs, const std::vector<double>& lengths,
-                               int exterior) {
-  double positive = 0.0;
-  double negative = 0.0;
-  for (std::size_t i = 0; i < signs.size(); ++i) {
-    (signs[i] > 0 ? positive : negative) += lengths[i];
-  }
-  const double ratio = std::sqrt(negative / positive);
-  Eigen::VectorXd lambda(static_cast<Eigen::Index>(signs.size()) - 1);
-  for (int i = 0, k = 0; i < static_cast<int>(signs.size()); ++i) {
-    if (i == exterior) continue;
-    lambda[k++] = signs[i] > 0 ? ratio * lengths[i] : -lengths[i] / ratio;
-  }
-  return lambda;
-}
-
 bool has_both_signs(const std::vector<int>& signs) {
   return std::any_of(signs.begin(), signs.end(), [&](int s) { return s != signs.front(); });
 }
@@ -88,36 +72,50 @@ class Search {
     return result_.descents.back();
   }
 
-  // The sign of loop 0 stays: E(-lambda) = E(lambda).
   void try_every_pattern() {
-    const int n = energy_.size();
-    for (unsigned pattern = 1; pattern < (1U << n); ++pattern) {
-      std::vector<int> signs(n + 1, 1);
-      for (int i = 0; i < n; ++i) signs[i + 1] = (pattern >> i & 1U) != 0 ? -1 : 1;
-      descend_from(signs);
-    }
+    for_sign_patterns(energy_.size() + 1,
+                      [&](const std::vector<int>& signs) { descend_from(signs); });
   }
 
+  // First by the energies of the starts alone, which are cheap; a descent from each pattern found;
+  // then by descents, from the best of these.
   void search_sign_flips() {
     std::mt19937_64 random(options_.seed);
+    std::set<std::vector<int>> patterns;
     for (int restart = 0; restart < options_.search_restarts; ++restart) {
       std::vector<int> signs(lengths_.size());
       do {
         for (int& s : signs) s = (random() >> 32 & 1U) != 0 ? -1 : 1;
       } while (!has_both_signs(signs));
-      improve_by_flips(std::move(signs));
+      improve_by_flips(signs, [&] { return start_energy(signs); });
+      patterns.insert(signs);
+    }
+    for (const std::vector<int>& signs : patterns) descend_from(signs);
+    auto sorted = result_.descents;
+    std::stable_sort(sorted.begin(), sorted.end(),
+                     [](const Descent& a, const Descent& b) { return a.energy < b.energy; });
+    const int count = std::min(options_.search_finalists, static_cast<int>(sorted.size()));
+    for (int i = 0; i < count; ++i) {
+      std::vector<int> signs = sorted[i].signs;
+      improve_by_flips(signs, [&] { return descend_from(signs).energy; });
     }
   }
 
-  // Flips one sign at a time as long as the energy falls.
-  void improve_by_flips(std::vector<int> signs) {
-    double best = descend_from(signs).energy;
+  double start_energy(const std::vector<int>& signs) const {
+    const Eigen::VectorXd start = balanced_start(signs, lengths_, exterior_);
+    return energy_.value(energy_.best_scale(start) * start);
+  }
+
+  // Flips one sign at a time as long as `energy`, of the signs as they are, falls.
+  template <typename Energy>
+  static void improve_by_flips(std::vector<int>& signs, Energy energy) {
+    double best = energy();
     int untried = static_cast<int>(signs.size());
     for (std::size_t i = 0; untried > 0; i = (i + 1) % signs.size(), --untried) {
       signs[i] = -signs[i];
-      const double energy = has_both_signs(signs) ? descend_from(signs).energy : best;
-      if (energy < best - tolerance::energy_decrease) {
-        best = energy;
+      const double flipped = has_both_signs(signs) ? energy() : best;
+      if (flipped < best - tolerance::energy_decrease) {
+        best = flipped;
         untried = static_cast<int>(signs.size());
       } else {
         signs[i] = -signs[i];
@@ -141,6 +139,22 @@ class Search {
 };
 
 }  // namespace
+
+Eigen::VectorXd balanced_start(const std::vector<int>& signs, const std::vector<double>& lengths,
+                               int exterior) {
+  double positive = 0.0;
+  double negative = 0.0;
+  for (std::size_t i = 0; i < signs.size(); ++i) {
+    (signs[i] > 0 ? positive : negative) += lengths[i];
+  }
+  const double ratio = std::sqrt(negative / positive);
+  Eigen::VectorXd lambda(static_cast<Eigen::Index>(signs.size()) - 1);
+  for (int i = 0, k = 0; i < static_cast<int>(signs.size()); ++i) {
+    if (i == exterior) continue;
+    lambda[k++] = signs[i] > 0 ? ratio * lengths[i] : -lengths[i] / ratio;
+  }
+  return lambda;
+}
 
 Descent descend(const AreaEnergy& energy, const Eigen::VectorXd& start, int max_iterations) {
   Descent descent;

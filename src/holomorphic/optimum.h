@@ -12,6 +12,7 @@ namespace hexwall {
 struct OptimumOptions {
   int exhaustive_limit = 12;  ///< up to this n every sign pattern is a start
   int search_restarts = 16;   ///< random patterns of the sign-flip search above that
+  int search_finalists = 2;   ///< patterns that are improved by whole descents
   std::uint64_t seed = 1;     ///< of the sign-flip search
   int max_iterations = 200;   ///< of one trust-region descent
 };
@@ -40,6 +41,23 @@ struct OptimumResult {
 /// \param loop_lengths n+1 lengths; basis element i belongs to loop i < exterior ? i : i + 1.
 OptimumResult optimal_form(const AreaEnergy& energy, const std::vector<double>& loop_lengths,
                            int exterior, const OptimumOptions& options = {});
+
+/// Calls visit(signs) for every pattern of the signs of `loops` loops in which both occur. The sign
+/// of the first one stays +1: E(-lambda) = E(lambda).
+template <typename Visit>
+void for_sign_patterns(int loops, Visit visit) {
+  for (unsigned pattern = 1; pattern < (1U << (loops - 1)); ++pattern) {
+    std::vector<int> signs(loops, 1);
+    for (int i = 1; i < loops; ++i) signs[i] = (pattern >> (i - 1) & 1U) != 0 ? -1 : 1;
+    visit(signs);
+  }
+}
+
+/// Circumferences proportional to the loops' lengths, with the signs given, those of either sign
+/// scaled such that they sum to zero over all loops: the start of a descent. Size n, without the
+/// exterior loop. \param signs, lengths n+1; both signs occur.
+Eigen::VectorXd balanced_start(const std::vector<int>& signs, const std::vector<double>& lengths,
+                               int exterior);
 
 /// A trust-region Newton descent from `start`; `iterations` of the result starts with E(start).
 Descent descend(const AreaEnergy& energy, const Eigen::VectorXd& start, int max_iterations);

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <set>
 
 #include <Eigen/Cholesky>
 #include <fmt/format.h>
@@ -14,6 +15,8 @@
 #include "dec/laplace.h"
 #include "dec/operators.h"
 #include "holomorphic/energy.h"
+#include "holomorphic/optimum.h"
+#include "surface/loop_shape.h"
 
 namespace hexwall {
 namespace {
@@ -98,34 +101,42 @@ Sample farthest_points(const std::vector<Vec3>& points, const std::vector<int>& 
   return sample;
 }
 
-/// What a pole at a vertex would give.
+/// What poles at some vertices, one or two, would give.
 struct Judgement {
-  int vertex = -1;
+  std::vector<int> vertices;
   double energy = std::numeric_limits<double>::max();
-  double circumference = 0.0;
+  std::vector<double> circumferences;  ///< of each
 };
 
 class Judge {
  public:
-  Judge(const FormProblem& problem, const FormSolution& solution, double left_out)
+  Judge(const FormProblem& problem, const FormSolution& solution, double region_radius)
       : problem_(problem),
         s_(solution),
-        left_out_(left_out),
+        left_out_(left_out_radius * region_radius),
         g_(potentials(solution.basis)),
         solver_(solution.connectivity, star1(solution.refined.surface, solution.connectivity),
                 boundary()) {
     choose_triangles();
+    for (const auto& loop : solution.connectivity.loops()) {
+      lengths_.push_back(loop_shape(points_of(solution.refined.surface, loop)).length);
+    }
+    lengths_.push_back(2.0 * std::numbers::pi * region_radius);
   }
 
-  /// What poles at these vertices would give, the best one first.
-  std::vector<Judgement> judge(const std::vector<int>& vertices) const {
-    const int count = static_cast<int>(vertices.size());
-    Eigen::MatrixXd charges = Eigen::MatrixXd::Zero(g_.rows(), count);
-    for (int i = 0; i < count; ++i) charges(vertices[i], i) = 1.0;
+  /// What poles at each of these groups of vertices would give, the best one first.
+  std::vector<Judgement> judge(const std::vector<std::vector<int>>& groups) const {
+    std::vector<int> vertices;
+    for (const auto& group : groups) vertices.insert(vertices.end(), group.begin(), group.end());
+    Eigen::MatrixXd charges =
+        Eigen::MatrixXd::Zero(g_.rows(), static_cast<Eigen::Index>(vertices.size()));
+    for (Eigen::Index i = 0; i < charges.cols(); ++i) charges(vertices[i], i) = 1.0;
     const Eigen::MatrixXd potentials = charge_potentials(charges, vertices);
-    std::vector<Judgement> judgements(vertices.size());
-    parallel_tasks(vertices.size(), [&](std::size_t i) {
-      judgements[i] = judge_one(vertices[i], potentials.col(static_cast<Eigen::Index>(i)));
+    std::vector<Judgement> judgements(groups.size());
+    parallel_tasks(groups.size(), [&](std::size_t i) {
+      const auto size = static_cast<Eigen::Index>(groups[i].size());
+      const auto first = static_cast<Eigen::Index>(i) * size;  // groups are of equal size
+      judgements[i] = judge_one(groups[i], potentials.middleCols(first, size));
     });
     std::stable_sort(judgements.begin(), judgements.end(),
                      [](const Judgement& a, const Judgement& b) { return a.energy < b.energy; });
@@ -154,14 +165,18 @@ class Judge {
     return -(u + s_.basis.f * s_.basis.capacity.llt().solve(harmonic_measure));
   }
 
-  Judgement judge_one(int vertex, const Eigen::VectorXd& potential) const {
-    Eigen::MatrixXd g(g_.rows(), g_.cols() + 1);
-    g << g_, potential;
-    const std::vector<int> faces = faces_away_from(vertex);
+  Judgement judge_one(const std::vector<int>& vertices, const Eigen::MatrixXd& potentials) const {
+    Eigen::MatrixXd g(g_.rows(), g_.cols() + potentials.cols());
+    g << g_, potentials;
+    const std::vector<int> faces = faces_away_from(vertices);
     const auto energy =
         area_energy({s_.refined.surface, faces, static_cast<int>(rho_.size()), g, rho_});
     const Descent best = best_descent(*energy);
-    return {vertex, best.energy, std::abs(best.lambda[best.lambda.size() - 1])};
+    Judgement judgement{vertices, best.energy, {}};
+    for (Eigen::Index i = g_.cols(); i < best.lambda.size(); ++i) {
+      judgement.circumferences.push_back(std::abs(best.lambda[i]));
+    }
+    return judgement;
   }
 
   // Every k-th triangle of the surface is judged by.
@@ -174,51 +189,96 @@ class Judge {
     for (const int f : s_.refined.parent_face) faces_.push_back(f % step == 0 ? f / step : -1);
   }
 
-  // The triangles judged by, but for those beside the charge.
-  std::vector<int> faces_away_from(int vertex) const {
+  // The triangles judged by, but for those beside the charges.
+  std::vector<int> faces_away_from(const std::vector<int>& vertices) const {
     std::vector<int> faces = faces_;
     const std::vector<Vec3>& points = s_.refined.surface.points;
     for (std::size_t f = 0; f < faces.size(); ++f) {
       if (faces[f] < 0) continue;
       for (const int v : s_.refined.surface.triangles[f]) {
-        if ((points[v] - points[vertex]).norm() < left_out_) faces[f] = -1;
+        for (const int charge : vertices) {
+          if ((points[v] - points[charge]).norm() < left_out_) faces[f] = -1;
+        }
       }
     }
     return faces;
   }
 
-  // Starts are the minima without the charge, whose flux then leaves through each of the loops in
-  // turn; descents begin at the best of them.
-  Descent best_descent(const AreaEnergy& energy) const {
-    struct Start {
-      Eigen::VectorXd lambda;
-      double energy;
-    };
-    std::vector<Start> starts;
-    const int n = s_.basis.size();
-    const auto add = [&](const Eigen::VectorXd& others, double charge, int loop) {
-      Eigen::VectorXd lambda(n + 1);
-      lambda << others, charge;
-      if (loop < n) lambda[loop] -= charge;  // otherwise through the exterior loop
-      lambda *= energy.best_scale(lambda);
-      starts.push_back({lambda, energy.value(lambda)});
-    };
-    const double circumference = 2.0 * std::numbers::pi * left_out_;
-    for (const Descent& other : s_.optimum.descents) {
-      if (n > exhaustive_forms && &other != &s_.optimum.descents[s_.optimum.best]) continue;
-      for (int loop = 0; loop <= n; ++loop) {
-        add(other.lambda, circumference, loop);
-        add(other.lambda, -circumference, loop);
+  // Starts of descents, as good as they are before them.
+  class Starts {
+   public:
+    explicit Starts(const AreaEnergy& energy) : energy_(energy) {}
+
+    void add(const Eigen::VectorXd& direction) {
+      const Eigen::VectorXd lambda = energy_.best_scale(direction) * direction;
+      starts_.emplace_back(energy_.value(lambda), lambda);
+    }
+
+    std::vector<Eigen::VectorXd> best(std::size_t count) {
+      std::stable_sort(starts_.begin(), starts_.end(),
+                       [](const auto& a, const auto& b) { return a.first < b.first; });
+      std::vector<Eigen::VectorXd> result;
+      for (std::size_t i = 0; i < std::min(count, starts_.size()); ++i) {
+        result.push_back(starts_[i].second);
+      }
+      return result;
+    }
+
+   private:
+    const AreaEnergy& energy_;
+    std::vector<std::pair<double, Eigen::VectorXd>> starts_;
+  };
+
+  // One charge joins a minimum without it; its flux leaves through each of the loops in turn.
+  void add_to_minimum(const Eigen::VectorXd& minimum, Starts& starts) const {
+    const Eigen::Index n = minimum.size();
+    for (Eigen::Index loop = 0; loop <= n; ++loop) {
+      for (const double sign : {1.0, -1.0}) {
+        const double charge = sign * 2.0 * std::numbers::pi * left_out_;
+        Eigen::VectorXd lambda(n + 1);
+        lambda << minimum, charge;
+        if (loop < n) lambda[loop] -= charge;  // otherwise through the exterior loop
+        starts.add(lambda);
       }
     }
-    std::stable_sort(starts.begin(), starts.end(),
-                     [](const Start& a, const Start& b) { return a.energy < b.energy; });
+  }
+
+  // Two charges join a minimum without them, the one taking what the other one gives.
+  void add_pair_to_minimum(const Eigen::VectorXd& minimum, Starts& starts) const {
+    for (const double charge : {lengths_.back(), -lengths_.back()}) {
+      Eigen::VectorXd lambda(minimum.size() + 2);
+      lambda << minimum, charge, -charge;
+      starts.add(lambda);
+    }
+  }
+
+  // Starts are the minima without the charges, and with few loops all patterns of signs, the
+  // charges as strong as the region is wide; descents begin at the best of them.
+  Descent best_descent(const AreaEnergy& energy) const {
+    Starts starts(energy);
+    const int n = s_.basis.size();
+    const int charges = energy.size() - n;
+    const bool few = n <= exhaustive_forms;
+    if (few) {
+      std::vector<double> lengths = lengths_;
+      lengths.resize(lengths.size() + charges - 1, lengths_.back());
+      for_sign_patterns(static_cast<int>(lengths.size()), [&](const std::vector<int>& signs) {
+        starts.add(balanced_start(signs, lengths, s_.basis.exterior));
+      });
+    }
+    for (const Descent& other : s_.optimum.descents) {
+      if (!few && &other != &s_.optimum.descents[s_.optimum.best]) continue;
+      if (charges == 1) {
+        add_to_minimum(other.lambda, starts);
+      } else {
+        add_pair_to_minimum(other.lambda, starts);
+      }
+    }
     Descent best;
     best.energy = std::numeric_limits<double>::max();
-    starts.resize(
-        std::min(starts.size(), n > exhaustive_forms ? descents_many_forms : descents_few_forms));
-    for (std::size_t i = 0; i < starts.size(); ++i) {
-      Descent descent = descend(energy, starts[i].lambda, max_iterations_);
+    for (const Eigen::VectorXd& start :
+         starts.best(few ? descents_few_forms : descents_many_forms)) {
+      Descent descent = descend(energy, start, max_iterations_);
       if (descent.energy < best.energy) best = std::move(descent);
     }
     return best;
@@ -228,32 +288,59 @@ class Judge {
   const FormSolution& s_;
   double left_out_;
   int max_iterations_ = OptimumOptions{}.max_iterations;
-  std::vector<int> faces_;  // #F of the refined surface: number among the judged ones, or -1
-  Eigen::VectorXd rho_;     // of the judged triangles
+  std::vector<int> faces_;       // #F of the refined surface: number among the judged ones, or -1
+  Eigen::VectorXd rho_;          // of the judged triangles
+  std::vector<double> lengths_;  // of the loops, and of one around the blind region
   Eigen::MatrixXd g_;
   LaplaceSolver solver_;
 };
+
+std::vector<std::vector<int>> one_by_one(const std::vector<int>& vertices) {
+  std::vector<std::vector<int>> groups;
+  for (const int v : vertices) groups.push_back({v});
+  return groups;
+}
 
 // Vertices of the region where a charge lowers the energy most: the best one, refined locally, then
 // the next best ones of the sample.
 std::vector<Judgement> best_places(const FormProblem& problem, const FormSolution& s,
                                    const BlindRegion& region, int candidates) {
-  const Judge judge(problem, s, left_out_radius * region.radius);
+  const Judge judge(problem, s, region.radius);
   const std::vector<Vec3>& points = s.refined.surface.points;
   const Sample sample = farthest_points(points, region.vertices, region.vertices[0], candidates);
-  std::vector<Judgement> places = judge.judge(sample.vertices);
+  std::vector<Judgement> places = judge.judge(one_by_one(sample.vertices));
   Judgement best = places[0];
   double spacing = sample.spacing;
   for (int round = 0; round < local_rounds; ++round, spacing *= 0.5) {
     std::vector<int> near;
     for (const int v : region.vertices) {
-      if ((points[v] - points[best.vertex]).norm() <= spacing) near.push_back(v);
+      if ((points[v] - points[best.vertices[0]]).norm() <= spacing) near.push_back(v);
     }
-    const auto local =
-        judge.judge(farthest_points(points, near, best.vertex, local_candidates).vertices);
+    const auto local = judge.judge(
+        one_by_one(farthest_points(points, near, best.vertices[0], local_candidates).vertices));
     if (local[0].energy < best.energy) best = local[0];
   }
   places.insert(places.begin(), best);
+  if (places.size() > place_trials) places.resize(place_trials);
+  return places;
+}
+
+// Pairs of vertices of the region, each with the one farthest from it, where two charges lower the
+// energy most: what a sac on a narrow neck needs, whose own flux cannot come through the neck.
+std::vector<Judgement> best_pairs(const FormProblem& problem, const FormSolution& s,
+                                  const BlindRegion& region, int candidates) {
+  const std::vector<Vec3>& points = s.refined.surface.points;
+  const std::vector<int> sample =
+      farthest_points(points, region.vertices, region.vertices[0], candidates).vertices;
+  std::set<std::vector<int>> pairs;
+  for (const int v : sample) {
+    const int opposite = *std::max_element(sample.begin(), sample.end(), [&](int a, int b) {
+      return (points[a] - points[v]).squaredNorm() < (points[b] - points[v]).squaredNorm();
+    });
+    if (opposite != v) pairs.insert({std::min(v, opposite), std::max(v, opposite)});
+  }
+  const Judge judge(problem, s, region.radius);
+  std::vector<Judgement> places = judge.judge({pairs.begin(), pairs.end()});
   if (places.size() > place_trials) places.resize(place_trials);
   return places;
 }
@@ -273,55 +360,69 @@ bool is_flat(const TriangleSurface& surface, const std::vector<int>& faces) {
   return sum.norm() >= least_flatness * total;
 }
 
-// y rises from the loop into the surface in some places and falls in others.
-bool has_half_zeros(const FormSolution& s, int loop) {
-  bool rises = false;
-  bool falls = false;
-  for (const int v : s.connectivity.loops()[loop]) {
-    for (int h = s.connectivity.outgoing(v); h >= 0; h = s.connectivity.rotate(h)) {
-      const int u = s.connectivity.tip(h);
-      rises = rises || s.form.y[u] > s.form.y[v];
-      falls = falls || s.form.y[u] < s.form.y[v];
+// From one of the last `count` loops y rises into the surface in some places and falls in others.
+bool has_half_zeros(const FormSolution& s, int count) {
+  const auto& loops = s.connectivity.loops();
+  return std::any_of(loops.end() - count, loops.end(), [&](const std::vector<int>& loop) {
+    bool rises = false;
+    bool falls = false;
+    for (const int v : loop) {
+      for (int h = s.connectivity.outgoing(v); h >= 0; h = s.connectivity.rotate(h)) {
+        const int u = s.connectivity.tip(h);
+        rises = rises || s.form.y[u] > s.form.y[v];
+        falls = falls || s.form.y[u] < s.form.y[v];
+      }
     }
-  }
-  return rises && falls;
+    return rises && falls;
+  });
 }
 
-// The largest of a series of disks around a point that gives a pole without half-zeros; without
-// `strict` else one with half-zeros.
-std::optional<FormSolution> solve_with_disk(const FormProblem& problem,
-                                            std::vector<SurfaceDisk> disks, SurfaceDisk disk,
-                                            bool strict) {
+// The largest of a series of disks around the last `count` points that give poles without
+// half-zeros; without `strict` else some with half-zeros.
+std::optional<FormSolution> solve_with_disks(const FormProblem& problem,
+                                             std::vector<SurfaceDisk> disks, int count,
+                                             bool strict) {
   std::optional<FormSolution> fallback;
-  disks.push_back(disk);
-  for (int trial = 0; trial < radius_trials; ++trial, disks.back().radius *= radius_factor) {
-    auto punctured = puncture(problem.surface, disks);
-    if (!punctured || !is_flat(problem.surface, punctured->disk_faces.back())) continue;
-    FormSolution solution = solve_form(problem, disks, std::move(*punctured));
-    const int loop = static_cast<int>(solution.connectivity.loops().size()) - 1;
-    if (!has_half_zeros(solution, loop)) return solution;
-    if (!strict && !fallback) fallback = std::move(solution);
+  const auto first = static_cast<std::ptrdiff_t>(disks.size()) - count;
+  for (int trial = 0; trial < radius_trials; ++trial) {
+    const auto are_flat = [&](const PuncturedSurface& punctured) {
+      return std::all_of(punctured.disk_faces.begin() + first, punctured.disk_faces.end(),
+                         [&](const auto& faces) { return is_flat(problem.surface, faces); });
+    };
+    if (auto punctured = puncture(problem.surface, disks); punctured && are_flat(*punctured)) {
+      FormSolution solution = solve_form(problem, disks, std::move(*punctured));
+      if (!has_half_zeros(solution, count)) return solution;
+      if (!strict && !fallback) fallback = std::move(solution);
+    }
+    for (auto i = first; i < std::ssize(disks); ++i) disks[i].radius *= radius_factor;
   }
   return fallback;
 }
 
-// Adds a pole at a vertex, as large as its judgement wants it. False if there is no room, or it is
-// not worthwhile.
-bool add_pole(const FormProblem& problem, const Judgement& judgement, const PoleOptions& options,
-              PoleResult& result) {
+// Adds poles, as large as their judgement wants them. False if there is no room, or they are not
+// worthwhile.
+bool add_poles(const FormProblem& problem, const Judgement& judgement, const PoleOptions& options,
+               PoleResult& result) {
   const FormSolution& s = result.solution;
+  const auto count = static_cast<int>(judgement.vertices.size());
+  const double least_gain = 1.0 - std::pow(1.0 - options.least_gain, count);
   if (options.only_if_worthwhile &&
-      judgement.energy > (1.0 - promising_gain * options.least_gain) * s.optimum.energy) {
+      judgement.energy > (1.0 - promising_gain * least_gain) * s.optimum.energy) {
     return false;
   }
-  const double radius = judgement.circumference / (2.0 * std::numbers::pi);
-  auto next = solve_with_disk(problem, s.disks, {surface_point(s, judgement.vertex), radius},
-                              options.only_if_worthwhile);
+  std::vector<SurfaceDisk> disks = s.disks;
+  for (int i = 0; i < count; ++i) {
+    disks.push_back({surface_point(s, judgement.vertices[i]),
+                     judgement.circumferences[i] / (2.0 * std::numbers::pi)});
+  }
+  auto next = solve_with_disks(problem, disks, count, options.only_if_worthwhile);
   if (!next) return false;
   const double gain = 1.0 - next->optimum.energy / s.optimum.energy;
-  if (options.only_if_worthwhile && gain < options.least_gain) return false;
-  result.poles.push_back({next->disks.back(), s.optimum.energy, next->optimum.energy,
-                          s.off_size_share, next->off_size_share});
+  if (options.only_if_worthwhile && gain < least_gain) return false;
+  for (int i = count; i > 0; --i) {
+    result.poles.push_back({next->disks[next->disks.size() - i], s.optimum.energy,
+                            next->optimum.energy, s.off_size_share, next->off_size_share});
+  }
   result.solution = std::move(*next);
   return true;
 }
@@ -347,11 +448,16 @@ PoleResult place_poles(const FormProblem& problem, FormSolution start, const Pol
       if (options.only_if_worthwhile) break;
       region = whole_surface(s);
     }
-    const auto places = best_places(problem, s, region, options.candidates);
-    const bool placed = std::any_of(places.begin(), places.end(), [&](const Judgement& place) {
-      return add_pole(problem, place, options, result);
-    });
-    if (!placed) break;
+    const auto add_best = [&](const std::vector<Judgement>& places) {
+      return std::any_of(places.begin(), places.end(), [&](const Judgement& place) {
+        return add_poles(problem, place, options, result);
+      });
+    };
+    if (add_best(best_places(problem, s, region, options.candidates))) continue;
+    if (static_cast<int>(result.poles.size()) + 2 > options.most ||
+        !add_best(best_pairs(problem, s, region, options.candidates))) {
+      break;
+    }
   }
   return result;
 }
@@ -367,10 +473,10 @@ PoleResult place_poles_at(const FormProblem& problem, FormSolution start,
         *std::min_element(region.vertices.begin(), region.vertices.end(), [&](int a, int b) {
           return (points[a] - place).squaredNorm() < (points[b] - place).squaredNorm();
         });
-    const Judge judge(problem, s, left_out_radius * region.radius);
+    const Judge judge(problem, s, region.radius);
     PoleOptions options;
     options.only_if_worthwhile = false;
-    if (add_pole(problem, judge.judge({vertex})[0], options, result)) continue;
+    if (add_poles(problem, judge.judge({{vertex}})[0], options, result)) continue;
     throw UsageError(fmt::format(
         "there is no room for a pole at ({:.6g}, {:.6g}, {:.6g}): it is too near an opening or "
         "another pole, or the surface is folded there",

@@ -38,6 +38,9 @@ struct PoleResult {
 /// hole is then as large as the charge asks for: its circumference is that of the form, |lambda|,
 /// where rings of quads around it have their proper size; less where that is no disk, or where the
 /// form would have half-zeros on its loop.
+///
+/// Where no single pole is worthwhile, two at once are tried: a sac on a narrow neck needs a source
+/// and a sink of its own, since no flux through the neck can fill it.
 PoleResult place_poles(const FormProblem& problem, FormSolution start, const PoleOptions& options);
 
 /// Puts poles at the vertices nearest to given places.

@@ -12,6 +12,13 @@
 namespace hexwall {
 namespace {
 
+// Beyond as many loops the search for the best signs runs on a sample of the triangles, enough of
+// them for each loop that the order of the energies is that on all.
+constexpr int most_loops_on_all_triangles = 16;
+constexpr int sampled_triangles_per_loop = 128;
+// Beyond as many, the coefficients of the quartic cost more than a pass over the sample.
+constexpr int most_loops_as_quartic = 60;
+
 // Brings the loops of the punctured surface in the order: those of the surface, then the holes.
 // \returns for each of them its number in `mesh`.
 std::vector<int> loop_order(const Connectivity& mesh, const Connectivity& original,
@@ -76,6 +83,25 @@ void find_size_ratios(const FormProblem& problem, FormSolution& s) {
   s.off_size_share = off / total;
 }
 
+// Many loops have many sign patterns: they are tried on a sample of the triangles, and only the
+// best one is brought to its minimum on all of them.
+OptimumResult find_optimum(const AreaEnergyInput& input, const AreaEnergy& energy,
+                           const std::vector<double>& lengths, int exterior) {
+  const int n = energy.size();
+  if (n <= most_loops_on_all_triangles) return optimal_form(energy, lengths, exterior);
+  const std::vector<int> parents = sampled_parents(input, sampled_triangles_per_loop * n);
+  const AreaEnergyInput sample{input.surface, parents, input.parent_count, input.g, input.rho};
+  const auto coarse = n <= most_loops_as_quartic ? quartic_energy(sample) : facewise_energy(sample);
+  OptimumResult result = optimal_form(*coarse, lengths, exterior);
+  Descent last = descend(energy, result.lambda, OptimumOptions{}.max_iterations);
+  last.signs = result.descents[result.best].signs;
+  result.lambda = last.lambda;
+  result.energy = last.energy;
+  result.best = static_cast<int>(result.descents.size());
+  result.descents.push_back(std::move(last));
+  return result;
+}
+
 }  // namespace
 
 Eigen::VectorXd sizing_weights(const Eigen::VectorXd& edge) {
@@ -95,12 +121,13 @@ FormSolution solve_form(const FormProblem& problem, const std::vector<SurfaceDis
   const Eigen::VectorXd rho = sizing_weights(problem.edge);
   const Eigen::MatrixXd g = potentials(s.basis);
   const auto face_count = static_cast<int>(problem.surface.triangles.size());
-  const auto energy = area_energy({s.refined.surface, s.refined.parent_face, face_count, g, rho});
+  const AreaEnergyInput input{s.refined.surface, s.refined.parent_face, face_count, g, rho};
+  const auto energy = area_energy(input);
   std::vector<double> lengths;
   for (const auto& loop : s.connectivity.loops()) {
     lengths.push_back(loop_shape(points_of(s.refined.surface, loop)).length);
   }
-  s.optimum = optimal_form(*energy, lengths, s.basis.exterior);
+  s.optimum = find_optimum(input, *energy, lengths, s.basis.exterior);
   s.form = combine(s.connectivity, s.basis, s.optimum.lambda);
   find_scale_factors(s);
   find_size_ratios(problem, s);

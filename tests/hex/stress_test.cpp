@@ -36,29 +36,43 @@ TriangleSurface sharp_crotch(double fillet) {
   return vessel_tree(branches, 0.2);
 }
 
-/// A hairpin: two parallel limbs of radius 1 whose walls are `gap` apart.
-TriangleSurface hairpin(double gap) {
-  const double half = 1.0 + 0.5 * gap;
-  std::vector<Vec3> line{{half, 0, -8}, {half, 0, -4}, {half, 0, 0}};
-  for (int i = 1; i < 6; ++i) {
-    const double angle = pi * i / 6;
-    line.emplace_back(half * std::cos(angle), 0, 1.6 * half * std::sin(angle));
-  }
-  line.insert(line.end(), {{-half, 0, 0}, {-half, 0, -4}, {-half, 0, -8}});
-  return vessel_tree({tube_along(line, 1.0)}, 0.25);
+/// A tube of radius 1 swept along a curve (t from 0 to 1) with a frame that keeps `side` across it.
+TriangleSurface swept(const std::function<Vec3(double)>& curve, const Vec3& side, int around,
+                      int along) {
+  return transformed(cylinder(1.0, 1.0, around, along), [&](const Vec3& p) -> Vec3 {
+    const double h = 1e-4;
+    const Vec3 tangent = (curve(p.z() + h) - curve(p.z() - h)).normalized();
+    const Vec3 u = side.cross(tangent).normalized();
+    return curve(p.z()) + p.x() * u + p.y() * tangent.cross(u);
+  });
 }
 
-/// A vessel curled up like a spring, whose turns are `gap` apart.
+/// Two parallel limbs of radius 1, `gap` apart, joined by a wide bend.
+TriangleSurface hairpin(double gap) {
+  const double narrow = 1.0 + 0.5 * gap;
+  const double wide = 2.5;
+  const auto curve = [=](double t) -> Vec3 {
+    const double length = 10.0 + 0.5 * pi * wide;  // of a half
+    const double s = length * (1.0 - std::abs(2.0 * t - 1.0));
+    const double sign = t < 0.5 ? 1.0 : -1.0;
+    if (s > 10.0) {
+      const double angle = (s - 10.0) / wide;
+      return {sign * wide * std::cos(angle), 0.0, wide * std::sin(angle)};
+    }
+    const double x = std::clamp((s - 4.0) / 6.0, 0.0, 1.0);
+    return {sign * (narrow + (wide - narrow) * x * x * (3.0 - 2.0 * x)), 0.0, s - 10.0};
+  };
+  return swept(curve, Vec3::UnitY(), 32, 140);
+}
+
+/// A vessel curled up like a spring of two turns, `gap` apart.
 TriangleSurface curled(double gap) {
-  std::vector<Vec3> line;
   const double pitch = 2.0 + gap;
-  for (int i = 0; i <= 40; ++i) {
-    const double angle = 4.0 * pi * i / 40;
-    line.emplace_back(3 * std::cos(angle), 3 * std::sin(angle), pitch * angle / (2.0 * pi));
-  }
-  line.front() += Vec3(0, -1, -0.5);
-  line.back() += Vec3(0, 1, 0.5);
-  return vessel_tree({tube_along(line, 1.0)}, 0.3);
+  const auto curve = [=](double t) -> Vec3 {
+    const double angle = 4.0 * pi * t;
+    return {3.0 * std::cos(angle), 3.0 * std::sin(angle), pitch * angle / (2.0 * pi)};
+  };
+  return swept(curve, Vec3::UnitZ(), 32, 200);
 }
 
 /// A tube narrowed to a fifth of its radius.
@@ -98,12 +112,19 @@ TriangleSurface tree_with_sides(int sides) {
   return vessel_tree(branches, 0.2);
 }
 
+/// Whether the layers fit as thick as they are asked.
+enum class Room {
+  enough,  ///< nothing may be reduced
+  none,    ///< something has to be
+  unknown
+};
+
 struct Stress {
   const char* name;
   std::function<TriangleSurface()> surface;
   double thickness;
-  const char* side;       ///< out, in or both
-  bool has_room = false;  ///< the layers fit: nothing may be reduced
+  const char* side;  ///< out, in or both
+  Room room = Room::none;
 };
 
 void PrintTo(const Stress& stress, std::ostream* out) {
@@ -126,37 +147,33 @@ TEST_P(Stressed, IsValidEverywhere) {
   const PipelineResult r = run_pipeline(stress.surface(), options);
   expect_valid_wall(r);
   expect_no_self_intersection(r.wall);
-  for (const auto* reduced : {&r.outward, &r.inward}) {
-    if (*reduced && stress.has_room) {
-      EXPECT_EQ((*reduced)->reduced_area_fraction, 0.0);
-    }
-  }
-  if (!stress.has_room) {
-    EXPECT_TRUE((r.outward && r.outward->reduced_area_fraction > 0.0) ||
-                (r.inward && r.inward->reduced_area_fraction > 0.0))
-        << "this place was meant to be too narrow";
-  }
+  const auto is_reduced = [](const std::optional<ThicknessResult>& one) {
+    return one && one->reduced_area_fraction > 0.0;
+  };
+  if (stress.room == Room::unknown) return;
+  EXPECT_EQ(is_reduced(r.outward) || is_reduced(r.inward), stress.room == Room::none);
 }
 
 std::vector<Stress> stresses() {
   std::vector<Stress> all;
   for (const double times : {0.5, 1.0, 2.0}) {
-    all.push_back({"crotch", [] { return sharp_crotch(0.3); }, 0.3 * times, "out", times < 1.0});
+    all.push_back({"crotch", [] { return sharp_crotch(0.3); }, 0.3 * times, "out",
+                   times < 1.5 ? Room::enough : Room::none});
   }
   for (const double gaps : {0.1, 0.5, 1.0, 1.9, 3.0}) {
     const double thickness = 0.5;
-    all.push_back(
-        {"hairpin", [=] { return hairpin(gaps * thickness); }, thickness, "out", gaps > 2.2});
+    all.push_back({"hairpin", [=] { return hairpin(gaps * thickness); }, thickness, "out",
+                   gaps > 2.2 ? Room::enough : Room::none});
   }
   all.push_back({"curled", [] { return curled(0.1); }, 0.3, "out"});
   all.push_back({"curled", [] { return curled(0.1); }, 0.3, "both"});
-  all.push_back({"curled", [] { return curled(1.0); }, 0.3, "both", true});
-  all.push_back({"stenosis", stenosis, 0.15, "in", true});
+  all.push_back({"curled", [] { return curled(1.0); }, 0.3, "both", Room::enough});
+  all.push_back({"stenosis", stenosis, 0.15, "in", Room::enough});
   all.push_back({"stenosis", stenosis, 0.4, "in"});
   all.push_back({"stenosis", stenosis, 0.4, "both"});
-  all.push_back({"sac", sac_on_a_neck, 0.4, "out"});
-  all.push_back({"sac", sac_on_a_neck, 0.4, "both"});
-  all.push_back({"tree47", [] { return tree_with_sides(45); }, 0.15, "both"});
+  all.push_back({"sac", sac_on_a_neck, 0.4, "out", Room::unknown});
+  all.push_back({"sac", sac_on_a_neck, 0.4, "both", Room::unknown});
+  all.push_back({"tree47", [] { return tree_with_sides(45); }, 0.15, "both", Room::enough});
   all.push_back({"tree47", [] { return tree_with_sides(45); }, 0.5, "out"});
   return all;
 }
