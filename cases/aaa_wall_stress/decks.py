@@ -1,4 +1,5 @@
 """Decks for CalculiX: the wall under pressure on its inner side, in elements of several kinds.
+Units are N and mm, so stresses are in MPa.
 
 decks.py FOLDER   FOLDER has wall.inp by hexwall and tets.inp by tets.py
 """
@@ -6,18 +7,15 @@ decks.py FOLDER   FOLDER has wall.inp by hexwall and tets.inp by tets.py
 import math
 import sys
 
+from results import mean
 from wall_mesh import quadratic, read_inp, write_inp
 
-PRESSURE = 0.016  # MPa = N/mm²
+PRESSURE = 0.016
 YOUNG, POISSON = 2.7, 0.45
 
 
 def cross(u, v):
     return [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
-
-
-def mean(rows):
-    return [sum(column) / len(rows) for column in zip(*rows)]
 
 
 def ring_axis(wall, name):
@@ -32,16 +30,17 @@ def ring_axis(wall, name):
 
 
 def load(wall):
-    """The end rings move only towards their centres or away: not along the vessel, not around it."""
+    """The end rings move only towards their centres or away: neither along the vessel nor around."""
     rings = [name for name in wall.patches if name not in ("inner_wall", "outer_wall")]
     lines = []
     for name in rings:
         centre, normal = ring_axis(wall, name)
         lines.append(f"*TRANSFORM, NSET={name}, TYPE=C")
-        lines.append(", ".join(f"{x:.9f}" for x in centre + [c + n for c, n in zip(centre, normal)]))
+        axis = centre + [c + n for c, n in zip(centre, normal)]
+        lines.append(", ".join(f"{x:.9f}" for x in axis))
     lines += ["*STEP", "*STATIC", "*BOUNDARY"] + [f"{name}, 2, 3" for name in rings]
-    lines += ["*DSLOAD", f"inner_wall, P, {PRESSURE}", "*NODE FILE", "U", "*EL FILE", "S"]
-    return "\n".join(lines) + "\n"
+    lines += ["*DSLOAD", f"inner_wall, P, {PRESSURE}", "*NODE FILE", "U", "*EL FILE", "S", ""]
+    return "\n".join(lines)
 
 
 def write_deck(folder, mesh_file, mesh):

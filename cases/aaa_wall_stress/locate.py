@@ -16,8 +16,8 @@ def volume(a, b, c, d):
 def barycentric(p, corners):
     a, b, c, d = corners
     whole = volume(a, b, c, d)
-    return [volume(p, b, c, d) / whole, volume(a, p, c, d) / whole, volume(a, b, p, d) / whole,
-            volume(a, b, c, p) / whole]  # fmt: skip
+    parts = volume(p, b, c, d), volume(a, p, c, d), volume(a, b, p, d), volume(a, b, c, p)
+    return [part / whole for part in parts]
 
 
 class TetLocator:

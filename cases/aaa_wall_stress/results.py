@@ -25,7 +25,7 @@ def mean(rows):
 
 
 def element_means(path):
-    """Mean stress xx, yy, zz, xy, yz, zx of the integration points of each element in a .dat file."""
+    """xx, yy, zz, xy, yz, zx of each element in a .dat file: the mean of its integration points."""
     points = {}
     for line in open(path):
         words = line.split()

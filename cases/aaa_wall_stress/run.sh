@@ -58,5 +58,5 @@ mesh "$out/aneurysm" "$out/aneurysm.stl" --thickness 1 --size 0.9
 solve "$out/aaa"
 solve "$out/aneurysm"
 python3 $here/compare.py "$out/aaa" "$out/aneurysm"
-picture "$out/aaa" --range 0,0.3 --view=0,-1,0 --size 1400x1300
-picture "$out/aneurysm" --range 0,0.3
+picture "$out/aaa" --range 0,0.3 --view=0,-1,0 --size 1300x1200
+picture "$out/aneurysm" --range 0,0.4 --view=0.2,-1,0.2 --size 1300x750

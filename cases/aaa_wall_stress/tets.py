@@ -1,11 +1,12 @@
 """The wall of a hex mesh as tets: its boundary for TetGen, and TetGen's tets for CalculiX.
 
 tets.py boundary WALL.inp OUT.smesh
-tets.py mesh WALL.inp TETGEN OUT.inp   TETGEN: what TetGen's files are called before .node, .ele, .face
+tets.py mesh WALL.inp TETGEN OUT.inp   TETGEN: path of TetGen's files without .node, .ele, .face
 """
 
 import sys
 
+from locate import volume
 from wall_mesh import FACES, Mesh, read_inp, write_inp
 
 
@@ -48,13 +49,15 @@ def rows_of(path, kind):
         return [[kind(word) for word in line.split()] for line in file if line[0] != "#"]
 
 
-def volume(a, b, c, d):
-    u, v, w = ([x - y for x, y in zip(p, a)] for p in (b, c, d))
-    return (
-        u[0] * (v[1] * w[2] - v[2] * w[1])
-        + u[1] * (v[2] * w[0] - v[0] * w[2])
-        + u[2] * (v[0] * w[1] - v[1] * w[0])
-    ) / 6
+def patches_of(tets, triangles, number, names):
+    owner = {}
+    for element, nodes in tets.elements.items():
+        for face, corners in enumerate(FACES[4]):
+            owner[tuple(sorted(nodes[i] for i in corners))] = element, face
+    patches = {name: [] for name in names}
+    for _, a, b, c, mark in triangles:
+        patches[names[mark - 1]].append(owner[tuple(sorted((number[a], number[b], number[c])))])
+    return patches
 
 
 def tets_of(wall, prefix):
@@ -69,15 +72,7 @@ def tets_of(wall, prefix):
             a, b = b, a
         tets.elements[row[0] + 1] = (a, b, c, d)
     tets.sets["wall"] = list(tets.elements)
-    faces = {}
-    for element, nodes in tets.elements.items():
-        for face, corners in enumerate(FACES[4]):
-            faces[tuple(sorted(nodes[i] for i in corners))] = element, face
-    names = list(wall.patches)
-    tets.patches = {name: [] for name in names}
-    for row in rows_of(prefix + ".face", int):
-        key = tuple(sorted(number[i] for i in row[1:4]))
-        tets.patches[names[row[4] - 1]].append(faces[key])
+    tets.patches = patches_of(tets, rows_of(prefix + ".face", int), number, list(wall.patches))
     return tets
 
 
