@@ -57,11 +57,12 @@ namespace {
 struct PictureOptions {
   std::string input;
   std::string output;
-  std::string array;         ///< point or cell array that colours the surface; empty: none
-  std::string texture;       ///< empty or "checkerboard"
-  std::string lines;         ///< poly data file drawn on top as tubes; empty: none
-  std::vector<double> view;  ///< direction from the data to the eye; empty: chosen from the data
-  std::vector<double> clip;  ///< point and normal of a plane; cells on the normal's side stay
+  std::string array;          ///< point or cell array that colours the surface; empty: none
+  std::vector<double> range;  ///< values of the first and the last colour; empty: those of the data
+  std::string texture;        ///< empty or "checkerboard"
+  std::string lines;          ///< poly data file drawn on top as tubes; empty: none
+  std::vector<double> view;   ///< direction from the data to the eye; empty: chosen from the data
+  std::vector<double> clip;   ///< point and normal of a plane; cells on the normal's side stay
   double zoom = 1;
   std::string size = "1600x1200";
   bool edges = false;
@@ -175,7 +176,8 @@ struct Colours {
   bool whole_numbers;
 };
 
-Colours colours_for(vtkDataArray* array) {
+Colours colours_for(vtkDataArray* array, const std::vector<double>& fixed) {
+  if (!fixed.empty()) return {ramp(fixed[0], fixed[1]), false};
   const bool scalar = array->GetNumberOfComponents() == 1;
   std::array<double, 2> range{};
   array->GetRange(range.data(), scalar ? 0 : -1);
@@ -185,8 +187,9 @@ Colours colours_for(vtkDataArray* array) {
   return {ramp(range[0], range[1]), false};
 }
 
-/// Colours the mapper's surface by the named array and returns the colours.
-Colours colour_by(const std::string& name, vtkPolyDataMapper* mapper) {
+/// Colours the mapper's surface by the array of the options and returns the colours.
+Colours colour_by(const PictureOptions& options, vtkPolyDataMapper* mapper) {
+  const std::string& name = options.array;
   vtkPolyData* surface = mapper->GetInput();
   vtkDataArray* on_points = surface->GetPointData()->GetArray(name.c_str());
   vtkDataArray* on_cells = surface->GetCellData()->GetArray(name.c_str());
@@ -194,7 +197,7 @@ Colours colour_by(const std::string& name, vtkPolyDataMapper* mapper) {
   if (array == nullptr) throw UsageError("the input has no array named " + name);
   if (on_cells != nullptr) mapper->SetScalarModeToUseCellFieldData();
   if (on_cells == nullptr) mapper->SetScalarModeToUsePointFieldData();
-  Colours colours = colours_for(array);
+  Colours colours = colours_for(array, options.range);
   if (array->GetNumberOfComponents() > 1) colours.table->SetVectorModeToMagnitude();
   mapper->SelectColorArray(name.c_str());
   mapper->SetLookupTable(colours.table);
@@ -437,7 +440,7 @@ void build_scene(const PictureOptions& options, vtkRenderWindow* window) {
   if (!options.array.empty()) {
     const auto bar = new_renderer(width, 1);
     const int font_size = std::max(10, window->GetSize()[0] / 70);
-    bar->AddActor2D(scalar_bar(colour_by(options.array, mapper), options.array, font_size));
+    bar->AddActor2D(scalar_bar(colour_by(options, mapper), options.array, font_size));
     window->AddRenderer(bar);
   }
   if (!options.texture.empty()) apply_checkerboard(surface, actor);
@@ -483,6 +486,9 @@ void declare_options(CLI::App& app, PictureOptions& o) {
   app.add_option("INPUT", o.input, "VTP or VTU file")->required();
   app.add_option("-o,--output", o.output, "PNG file to write")->required();
   app.add_option("--array", o.array, "point or cell array that gives the colours");
+  app.add_option("--range", o.range, "values LOW,HIGH of the first and the last colour")
+      ->delimiter(',')
+      ->expected(2);
   app.add_flag("--edges", o.edges, "draw the edges of the cells");
   app.add_option("--texture", o.texture, "tiles of one unit of the texture coordinates")
       ->check(CLI::IsMember({"checkerboard"}));
