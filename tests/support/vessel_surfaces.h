@@ -14,6 +14,7 @@
 
 #include <Eigen/Geometry>
 
+#include "support/outcomes.h"
 #include "support/shared_data.h"
 #include "surface/check.h"
 #include "surface/connectivity.h"
@@ -76,8 +77,8 @@ inline std::vector<std::string> coarse_shape_names() {
 inline std::vector<std::string> vessel_surface_names() {
   std::vector<std::string> names = coarse_shape_names();
   names.emplace_back("aaa");
-  for (const SharedFile& file : shared_files) {
-    if (file.outcome == ExitCode::success) names.emplace_back(file.name);
+  for (const Outcome& file : shared_files()) {
+    if (file.is_clean()) names.push_back(file.surface);
   }
   return names;
 }

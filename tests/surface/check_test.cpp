@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "support/expect_error.h"
+#include "support/outcomes.h"
 #include "support/shared_data.h"
 #include "surface/connectivity.h"
 #include "surface/generate.h"
@@ -296,25 +297,25 @@ TEST(CheckSurface, TakesAGoodSurfaceAsItIs) {
 
 // --- real surfaces ------------------------------------------------------------------------------
 
-class CheckedFiles : public testing::TestWithParam<test::SharedFile> {};
+class CheckedFiles : public testing::TestWithParam<test::Outcome> {};
 
 TEST_P(CheckedFiles, AreTakenOrRefusedForTheRightReason) {
   const auto folder = test::shared_data();
   if (!folder) GTEST_SKIP() << "no folder of shared data; set HEXWALL_SHARED_DATA";
-  const test::SharedFile& expected = GetParam();
-  const TriangleSurface surface = read_surface(*folder / expected.name).surface;
-  if (expected.outcome != ExitCode::success) {
-    expect_refused(surface, expected.outcome, {expected.reason});
+  const test::Outcome& expected = GetParam();
+  const TriangleSurface surface = read_surface(*folder / expected.surface).surface;
+  if (!expected.is_clean()) {
+    expect_refused(surface, ExitCode::topology, {expected.untouched.c_str()});
     return;
   }
   const CheckResult result = check_surface(surface);
-  EXPECT_EQ(result.flipped, expected.flipped);
   const Connectivity mesh(static_cast<int>(surface.points.size()), result.surface.triangles);
-  EXPECT_EQ(static_cast<int>(mesh.loops().size()), expected.loops);
-  EXPECT_EQ(mesh.euler_number(), 2 - expected.loops);
+  const int loops = expected.counts.openings;
+  EXPECT_EQ(static_cast<int>(mesh.loops().size()), loops);
+  EXPECT_EQ(mesh.euler_number(), 2 - loops);
 }
 
-INSTANTIATE_TEST_SUITE_P(CheckSurface, CheckedFiles, testing::ValuesIn(test::shared_files));
+INSTANTIATE_TEST_SUITE_P(CheckSurface, CheckedFiles, testing::ValuesIn(test::shared_files()));
 
 }  // namespace
 }  // namespace hexwall
