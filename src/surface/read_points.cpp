@@ -20,7 +20,7 @@ std::vector<Vec3> read_points(const std::filesystem::path& path) {
     line.erase(std::min(line.find('#'), line.size()));
     std::replace(line.begin(), line.end(), ',', ' ');
     std::istringstream words(line);
-    if (!(words >> std::ws)) continue;
+    if ((words >> std::ws).eof()) continue;
     Vec3 p;
     std::string rest;
     if (!(words >> p.x() >> p.y() >> p.z()) || words >> rest || !p.allFinite()) {

@@ -25,6 +25,7 @@
 #include "support/surfaces.h"
 #include "support/temporary_folder.h"
 #include "support/vessel_surfaces.h"
+#include "surface/orient.h"
 #include "surface/write.h"
 
 namespace hexwall::test {
@@ -107,10 +108,11 @@ TriangleSurface as_surface(vtkPolyData* data) {
   return surface;
 }
 
-/// With a share of the triangles taken out; the ends and the topology stay.
+/// With a share of the triangles taken out; the ends and the topology stay. VTK wants all of them
+/// wound alike.
 TriangleSurface decimated(const TriangleSurface& surface, double share) {
   const vtkNew<vtkDecimatePro> decimate;
-  decimate->SetInputData(as_poly_data(surface));
+  decimate->SetInputData(as_poly_data(make_consistent(surface).surface));
   decimate->SetTargetReduction(share);
   decimate->PreserveTopologyOn();
   decimate->SplittingOff();

@@ -13,6 +13,7 @@
 #include "support/shared_data.h"
 #include "surface/connectivity.h"
 #include "surface/generate.h"
+#include "surface/handles.h"
 #include "surface/orient.h"
 #include "surface/read.h"
 #include "surface/self_intersection.h"
@@ -200,6 +201,26 @@ TEST(CheckSurface, RefusesDisks) {
 
 TEST(CheckSurface, RefusesHandles) {
   expect_refused(torus(24, 12, {{0, 0}, {12, 3}}), ExitCode::topology, {"genus 1", "1 handles"});
+}
+
+/// The shortest line that does not divide a torus is a meridian: 12 edges around the tube.
+TEST(CheckSurface, ShowsAShortLineAroundAHandle) {
+  const TriangleSurface surface = torus(24, 12, {{0, 0}, {12, 3}});
+  const auto problems = find_problems(surface);
+  ASSERT_EQ(problems.size(), 1U);
+  EXPECT_EQ(problems[0].places.size(), 12U);
+  Vec3 last = problems[0].places.back();
+  for (const Vec3& p : problems[0].places) {
+    EXPECT_NEAR((p - last).norm(), 2.0 * std::sin(pi / 12), 1e-9);
+    last = p;
+  }
+}
+
+/// Lines around a tube divide it.
+TEST(HandleLine, IsEmptyWithoutHandles) {
+  const TriangleSurface surface = tube();
+  const Connectivity mesh(static_cast<int>(surface.points.size()), surface.triangles);
+  EXPECT_TRUE(handle_line(surface, mesh).empty());
 }
 
 // --- order of the checks ------------------------------------------------------------------------
