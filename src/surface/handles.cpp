@@ -38,7 +38,8 @@ PathTree shortest_paths(const TriangleSurface& surface, const Connectivity& mesh
   };
   reach(root, 0.0, -1);
   while (!queue.empty()) {
-    const auto [distance, v] = queue.top();
+    const double distance = queue.top().first;
+    const int v = queue.top().second;
     queue.pop();
     if (distance > tree.distance[v]) continue;
     for (int h = mesh.outgoing(v); h >= 0;) {
