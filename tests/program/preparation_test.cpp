@@ -117,7 +117,8 @@ TEST_F(Preparation, OpensWhatAnArrayMarks) {
   const TriangleSurface surface = capsule();
   const std::string file = (folder_ / "capsule.vtk").string();
   Scalars part{"part", std::vector<double>(surface.triangles.size(), 0.0)};
-  for (std::size_t i = 0; i < 32; ++i) part.values[surface.triangles.size() - 32 + i] = 1 + i / 16;
+  std::fill(part.values.end() - 32, part.values.end() - 16, 1.0);
+  std::fill(part.values.end() - 16, part.values.end(), 2.0);
   write_vtk_text(file, surface, {}, part);
   expect_failure(4, {"closed"}, {"mesh", file, "-o", output_});
   const json report = mesh(file, {"--cap-array", "part"});
