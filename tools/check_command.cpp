@@ -26,8 +26,20 @@ struct Diagnosis {
   std::vector<Problem> problems;  ///< of the surface as it comes
   std::optional<PrepareResult> prepared;
   ExitCode verdict = ExitCode::success;
-  std::string reason;  ///< of the refusal
+  std::string reason;              ///< of the refusal
+  std::vector<std::string> notes;  ///< what was done, before a refusal as well
 };
+
+// What is done to a surface before it is refused.
+std::vector<std::string> notes_before_refusal(const ReadResult& read,
+                                              const PrepareOptions& options) {
+  try {
+    bool is_free_of_intersections = false;
+    return repair_and_open(read, options, is_free_of_intersections).notes;
+  } catch (const Error&) {
+    return read.notes;
+  }
+}
 
 Diagnosis diagnose(const CheckCommand& command) {
   Diagnosis d;
@@ -36,6 +48,7 @@ Diagnosis diagnose(const CheckCommand& command) {
   d.problems = find_problems(d.read.surface);
   try {
     d.prepared = prepare_surface(d.read, options);
+    d.notes = d.prepared->notes;
   } catch (const TopologyError& error) {
     d.verdict = error.code();
     d.reason = error.what();
@@ -43,14 +56,27 @@ Diagnosis diagnose(const CheckCommand& command) {
     d.verdict = error.code();
     d.reason = error.what();
   }
+  if (!d.prepared) d.notes = notes_before_refusal(d.read, options);
   return d;
+}
+
+Json place_json(const Vec3& p) {
+  return Json::array({p.x(), p.y(), p.z()});
+}
+
+Json openings_json(const std::vector<NamedPlace>& openings) {
+  Json list = Json::array();
+  for (const NamedPlace& opening : openings) {
+    list.push_back({{"name", opening.name}, {"center", place_json(opening.at)}});
+  }
+  return list;
 }
 
 Json problems_json(const std::vector<Problem>& problems) {
   Json list = Json::array();
   for (const Problem& problem : problems) {
     Json places = Json::array();
-    for (const Vec3& p : problem.places) places.push_back({p.x(), p.y(), p.z()});
+    for (const Vec3& p : problem.places) places.push_back(place_json(p));
     list.push_back(
         {{"kind", problem.kind}, {"message", problem.message}, {"places", std::move(places)}});
   }
@@ -68,7 +94,11 @@ Json to_json(const CheckCommand& command, const Diagnosis& d) {
                {"meshable", d.verdict == ExitCode::success},
                {"exit_code", static_cast<int>(d.verdict)},
                {"reason", d.reason}};
-  if (d.prepared) json["preparation"] = preparation_json(*d.prepared);
+  json["notes"] = d.notes;
+  if (!d.prepared) return json;
+  json["preparation"] = preparation_json(*d.prepared);
+  json["openings"] = openings_json(d.prepared->openings);
+  json["warnings"] = d.prepared->warnings;
   return json;
 }
 
@@ -81,11 +111,11 @@ void print_words(const CheckCommand& command, const Diagnosis& d) {
                            d.read.surface.triangles.size()));
   for (const Problem& problem : d.problems) line("problem", problem.message);
   if (d.problems.empty()) line("problem", "none as it comes");
+  for (const std::string& note : d.notes) line("done", note);
   if (!d.prepared) {
     line("verdict", "refused: " + d.reason);
     return;
   }
-  for (const std::string& note : d.prepared->notes) line("done", note);
   if (d.prepared->moved > 0.0) {
     line("moved",
          fmt::format("by repairs: {:.3g} {} at most", d.prepared->moved, command.input.units));

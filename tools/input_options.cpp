@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <map>
 
 #include <fmt/format.h>
@@ -103,11 +104,14 @@ void add_input_options(CLI::App& command, InputOptions& o) {
   command
       .add_option("--extend", o.extend,
                   "Add straight flow extensions of as many radii to each opening")
-      ->check(CLI::NonNegativeNumber)
       ->group(group);
 }
 
 PrepareOptions prepare_options(const InputOptions& options) {
+  if (!(options.extend >= 0.0 && std::isfinite(options.extend))) {
+    throw UsageError(
+        fmt::format("--extend is a number of radii, 0 or more, not {}", options.extend));
+  }
   PrepareOptions prepare;
   prepare.repair = repair_options(options);
   prepare.open.automatic = options.open == "auto";

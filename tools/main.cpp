@@ -149,6 +149,10 @@ PoleRequest pole_request(const std::string& text) {
     request.mode = PoleRequest::Mode::count;
     request.count = count;
   } else {
+    if (!fs::exists(text)) {
+      throw UsageError(fmt::format(
+          "--poles is auto, off, a number or a file of points: there is no file '{}'", text));
+    }
     request.mode = PoleRequest::Mode::places;
     request.places = read_points(text);
   }

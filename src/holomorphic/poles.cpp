@@ -48,6 +48,8 @@ constexpr double least_region = 0.05;
 // A disk's area vector over its area: 0.75 for a cap of a sphere 60 degrees from its centre. Beyond
 // that a flat grid no longer covers it well.
 constexpr double least_flatness = 0.75;
+// Of the bounding box' diagonal: no centre of a sac is farther from its wall.
+constexpr double greatest_place_distance = 0.25;
 
 struct BlindRegion {
   std::vector<int> vertices;
@@ -437,6 +439,16 @@ BlindRegion whole_surface(const FormSolution& s) {
   return region;
 }
 
+// A point beside the surface, or in the middle of a sac, means the nearest place of the surface;
+// one far away is a mistake, of the unit for instance.
+void check_near(const Vec3& place, const Vec3& nearest, const TriangleSurface& surface) {
+  const double distance = (place - nearest).norm();
+  if (distance <= greatest_place_distance * bounding_box_diagonal(surface)) return;
+  throw UsageError(
+      fmt::format("the place {} for a pole is {:.4g} away from the surface, which is nearest at {}",
+                  coordinates(place), distance, coordinates(nearest)));
+}
+
 }  // namespace
 
 PoleResult place_poles(const FormProblem& problem, FormSolution start, const PoleOptions& options) {
@@ -473,6 +485,7 @@ PoleResult place_poles_at(const FormProblem& problem, FormSolution start,
         *std::min_element(region.vertices.begin(), region.vertices.end(), [&](int a, int b) {
           return (points[a] - place).squaredNorm() < (points[b] - place).squaredNorm();
         });
+    check_near(place, points[vertex], problem.surface);
     const Judge judge(problem, s, region.radius);
     PoleOptions options;
     options.only_if_worthwhile = false;

@@ -44,7 +44,7 @@ struct PoleResult {
 PoleResult place_poles(const FormProblem& problem, FormSolution start, const PoleOptions& options);
 
 /// Puts poles at the vertices nearest to given places.
-/// \throws UsageError if there is no room for a pole at one of them.
+/// \throws UsageError if one of them is far away from the surface, or has no room for a pole.
 PoleResult place_poles_at(const FormProblem& problem, FormSolution start,
                           const std::vector<Vec3>& places);
 

@@ -12,6 +12,7 @@
 #include "core/errors.h"
 #include "surface/connectivity.h"
 #include "surface/edge_uses.h"
+#include "surface/handles.h"
 #include "surface/orient.h"
 #include "surface/self_intersection.h"
 
@@ -224,8 +225,8 @@ void check_vertices(const TriangleSurface& surface, Problems& problems) {
 void check_orientable(const TriangleSurface& surface, Problems& problems) {
   try {
     make_consistent(surface);
-  } catch (const TopologyError& error) {
-    problems.push_back({"not_orientable", error.code(), error.what(), {}});
+  } catch (const NotOrientable& error) {
+    problems.push_back({"not_orientable", error.code(), error.what(), {error.place()}});
   }
 }
 
@@ -250,17 +251,20 @@ void check_loops(const Connectivity& mesh, const TriangleSurface& surface, Probl
 }
 
 // A sphere with g handles and b holes has the Euler number 2 - 2 g - b.
-void check_genus(const Connectivity& mesh, Problems& problems) {
+void check_genus(const Connectivity& mesh, const TriangleSurface& surface, Problems& problems) {
   const int genus = (2 - static_cast<int>(mesh.loops().size()) - mesh.euler_number()) / 2;
   if (genus == 0) return;
+  std::vector<Vec3> line;
+  Vec3 middle = Vec3::Zero();
+  for (const int v : handle_line(surface, mesh)) line.push_back(surface.points[v]);
+  for (const Vec3& p : line) middle += p / static_cast<double>(line.size());
   problems.push_back(
-      {"genus",
-       ExitCode::topology,
+      {"genus", ExitCode::topology,
        fmt::format("the surface has genus {0}: it has {0} handles, as where two branches fuse or "
-                   "touch. Only spheres with holes (genus 0) can be meshed; cut the handles open "
-                   "and close the cuts",
-                   genus),
-       {}});
+                   "touch, one of them near {1}. Only spheres with holes (genus 0) can be meshed; "
+                   "cut the handles open and close the cuts",
+                   genus, coordinates(middle)),
+       std::move(line)});
 }
 
 void check_self_intersections(const TriangleSurface& surface, Problems& problems) {
@@ -326,7 +330,7 @@ Problems run_checks(const TriangleSurface& surface, bool only_first, bool is_fre
   oriented = orient(surface);
   const Connectivity mesh(static_cast<int>(surface.points.size()), oriented.surface.triangles);
   checks.group([&](Problems& p) { check_loops(mesh, surface, p); },
-               [&](Problems& p) { check_genus(mesh, p); },
+               [&](Problems& p) { check_genus(mesh, oriented.surface, p); },
                [&](Problems& p) {
                  if (!is_free_of_intersections) check_self_intersections(oriented.surface, p);
                });

@@ -1,5 +1,6 @@
 #include "surface/open_surface.h"
 
+#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -24,14 +25,6 @@ OpenedCap opened(const TriangleSurface& surface, const std::vector<int>& loop, c
   return {std::move(name), shape.center, shape.radius, normal, shape.area, std::move(how)};
 }
 
-std::string sentence(const OpenedCap& cap) {
-  return fmt::format(
-      "opened {} ({}): centre ({:.6g}, {:.6g}, {:.6g}), radius {:.4g}, normal ({:.3g}, {:.3g}, "
-      "{:.3g}), area {:.4g}",
-      cap.name.empty() ? "an end" : cap.name, cap.how, cap.center.x(), cap.center.y(),
-      cap.center.z(), cap.radius, cap.normal.x(), cap.normal.y(), cap.normal.z(), cap.area);
-}
-
 void follow_origin(std::vector<int>& origin, const std::vector<int>& step) {
   std::vector<int> followed;
   followed.reserve(step.size());
@@ -42,7 +35,7 @@ void follow_origin(std::vector<int>& origin, const std::vector<int>& step) {
 void cut_off(OpenResult& result, const CutPlane& plane) {
   ClipResult clipped = clip(result.surface, plane);
   result.caps.push_back(opened(clipped.surface, clipped.loop, plane.normal, plane.name, "cut"));
-  result.notes.push_back(sentence(result.caps.back()));
+  result.notes.push_back(describe(result.caps.back()));
   const double part = 1.0 - total_area(clipped.surface) / total_area(result.surface);
   if (part > suspicious_part) {
     result.notes.push_back(fmt::format(
@@ -68,7 +61,7 @@ void remove_caps(OpenResult& result, const std::vector<Cap>& caps) {
   for (const Cap& cap : caps) {
     for (const int f : cap.triangles) is_removed[f] = 1;
     result.caps.push_back(opened(result.surface, cap.rim, cap.outward, cap.name, cap.how));
-    result.notes.push_back(sentence(result.caps.back()));
+    result.notes.push_back(describe(result.caps.back()));
   }
   std::vector<int> kept;
   for (int f = 0; f < static_cast<int>(is_removed.size()); ++f) {
@@ -80,6 +73,15 @@ void remove_caps(OpenResult& result, const std::vector<Cap>& caps) {
 }
 
 }  // namespace
+
+std::string describe(const OpenedCap& cap) {
+  // Rounding errors of the normal and -0 are of no interest.
+  const auto rounded = [](double x) { return 0.0 + std::round(1e3 * x) / 1e3; };
+  return fmt::format("opened {} ({}): centre {}, radius {:.4g}, normal ({}, {}, {}), area {:.4g}",
+                     cap.name.empty() ? "an end" : cap.name, cap.how, coordinates(cap.center),
+                     cap.radius, rounded(cap.normal.x()), rounded(cap.normal.y()),
+                     rounded(cap.normal.z()), cap.area);
+}
 
 OpenResult open_surface(const TriangleSurface& surface,
                         const std::vector<SurfaceArray>& cell_arrays, const OpenOptions& options) {

@@ -33,6 +33,9 @@ struct OpenResult {
   std::vector<std::string> notes;  ///< one sentence for each opened end
 };
 
+/// What was opened, in a sentence.
+std::string describe(const OpenedCap& cap);
+
 /// Opens the ends of a vessel: first the cuts (see `clip`), then the caps: those that
 /// `cap_array` marks, or else, if `automatic`, those that an array known to mark caps marks, or
 /// else those found by their shape (see `labelled_caps`, `flat_caps`).

@@ -38,16 +38,19 @@ Adjacency adjacency_of(const TriangleSurface& surface) {
   return adjacency;
 }
 
-[[noreturn]] void refuse_mobius(int f, int g) {
-  throw TopologyError(
+[[noreturn]] void refuse_mobius(const TriangleSurface& surface, int f, int g) {
+  const Vec3 place = 0.5 * (centroid(surface, f) + centroid(surface, g));
+  throw NotOrientable(
       fmt::format("the surface is not orientable: it contains a Moebius band, which shows between "
-                  "the triangles {} and {}. The wall has no inside and outside; repair the "
+                  "the triangles {} and {} near {}. The wall has no inside and outside; repair the "
                   "surface there",
-                  f, g));
+                  f, g, coordinates(place)),
+      place);
 }
 
 /// Turns the triangles reached from `seed`, or all others of them if these are fewer.
-int orient_patch(int seed, const Adjacency& adjacency, std::vector<std::int8_t>& turned) {
+int orient_patch(const TriangleSurface& surface, int seed, const Adjacency& adjacency,
+                 std::vector<std::int8_t>& turned) {
   std::vector<int> patch{seed};
   turned[seed] = 0;
   int turned_count = 0;
@@ -60,7 +63,7 @@ int orient_patch(int seed, const Adjacency& adjacency, std::vector<std::int8_t>&
         turned_count += wanted;
         patch.push_back(n.face);
       } else if (turned[n.face] != wanted) {
-        refuse_mobius(f, n.face);
+        refuse_mobius(surface, f, n.face);
       }
     }
   }
@@ -81,7 +84,7 @@ OrientResult make_consistent(const TriangleSurface& surface) {
   std::vector<std::int8_t> turned(surface.triangles.size(), -1);
   OrientResult result{surface, 0};
   for (int f = 0; f < static_cast<int>(turned.size()); ++f) {
-    if (turned[f] < 0) result.flipped += orient_patch(f, adjacency, turned);
+    if (turned[f] < 0) result.flipped += orient_patch(surface, f, adjacency, turned);
   }
   for (std::size_t f = 0; f < turned.size(); ++f) {
     auto& t = result.surface.triangles[f];

@@ -1,8 +1,24 @@
 #pragma once
 
+#include <string>
+#include <utility>
+
+#include "core/errors.h"
 #include "surface/triangle_surface.h"
 
 namespace hexwall {
+
+/// Refusal of a surface that contains a Moebius band.
+class NotOrientable : public TopologyError {
+ public:
+  NotOrientable(const std::string& message, Vec3 place)
+      : TopologyError(message), place_(std::move(place)) {}
+  /// A place on the band, of the many where a cut would open it.
+  const Vec3& place() const { return place_; }
+
+ private:
+  Vec3 place_;
+};
 
 struct OrientResult {
   TriangleSurface surface;
@@ -11,7 +27,7 @@ struct OrientResult {
 
 /// Gives all triangles that are connected over edges the same winding, that of the majority.
 /// \pre no edge has more than two triangles.
-/// \throws TopologyError if that is impossible (Möbius band).
+/// \throws NotOrientable if that is impossible (Möbius band).
 OrientResult make_consistent(const TriangleSurface& surface);
 
 /// Volume enclosed once every boundary loop is closed by a fan of triangles to its centroid:

@@ -36,6 +36,21 @@ std::vector<int> longest_first(const TriangleSurface& surface, const Connectivit
   return order;
 }
 
+// Gives opened caps the names of their openings, in the notes as well.
+void name_opened(const std::vector<Vec3>& centers, const std::vector<std::string>& names,
+                 PrepareResult& result) {
+  for (OpenedCap& cap : result.opened) {
+    const auto nearest =
+        std::min_element(centers.begin(), centers.end(), [&](const Vec3& a, const Vec3& b) {
+          return (a - cap.center).squaredNorm() < (b - cap.center).squaredNorm();
+        });
+    if ((*nearest - cap.center).norm() > cap.radius) continue;  // it was closed by a later step
+    const std::string former = describe(cap);
+    cap.name = names[nearest - centers.begin()];
+    std::replace(result.notes.begin(), result.notes.end(), former, describe(cap));
+  }
+}
+
 // Names the openings and lengthens them. `openings` gets the centres of the final loops.
 void name_and_extend(const PrepareOptions& options, PrepareResult& result) {
   const Connectivity mesh(static_cast<int>(result.surface.points.size()), result.surface.triangles);
@@ -52,6 +67,7 @@ void name_and_extend(const PrepareOptions& options, PrepareResult& result) {
     if (!cap.name.empty()) of_caps.push_back({cap.name, cap.center});
   }
   const std::vector<std::string> names = assign_names(centers, radii, options.names, of_caps);
+  name_opened(centers, names, result);
   if (options.extend > 0.0) {
     ExtendResult extended = extend_openings(result.surface, options.extend);
     result.surface = std::move(extended.surface);
@@ -65,7 +81,9 @@ void name_and_extend(const PrepareOptions& options, PrepareResult& result) {
     for (std::size_t i = 0; i < order.size(); ++i) number[order[i]] = static_cast<int>(i);
     result.extension = std::move(extended.extension);
     for (int& e : result.extension) e = e < 0 ? e : number[e];
-    result.notes.insert(result.notes.end(), extended.notes.begin(), extended.notes.end());
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      result.notes.push_back(fmt::format("{}: {}", names[i], extended.notes[order[i]]));
+    }
   }
   for (std::size_t i = 0; i < names.size(); ++i) {
     result.openings.push_back({names[i], centers[i]});

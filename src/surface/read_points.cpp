@@ -25,7 +25,7 @@ std::vector<std::vector<double>> read_rows(const std::filesystem::path& path, st
     line.erase(std::min(line.find('#'), line.size()));
     std::replace(line.begin(), line.end(), ',', ' ');
     std::istringstream words(line);
-    if (!(words >> std::ws)) continue;
+    if ((words >> std::ws).eof()) continue;
     std::vector<double> row;
     for (double x = 0.0; words >> x && std::isfinite(x);) row.push_back(x);
     if (row.size() != count || !words.eof()) {

@@ -86,7 +86,8 @@ RepairResult repair_topology(const TriangleSurface& surface, const RepairOptions
 /// tolerance. Boundary loops stay on their polylines. A surface without faults comes out bit for
 /// bit as it is, and so does one that is not an oriented manifold of finite coordinates. What
 /// cannot be repaired within the tolerance is left for `check_surface` to refuse. \pre each index
-/// lies in [0, #V). \throws UsageError for options out of range.
+/// lies in [0, #V). \throws UsageError for options out of range, or if remeshing with the edge
+/// asked for would move the surface by more than the tolerance.
 RepairResult repair_geometry(const TriangleSurface& surface, const RepairOptions& options = {});
 
 }  // namespace hexwall

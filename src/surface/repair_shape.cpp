@@ -148,7 +148,14 @@ Outcome remesh_hopeless(State& state, const double* edge, double tolerance) {
   if (!all_have_area(state.surface) || (edge == nullptr && !is_hopeless)) return {};
   const double length = edge != nullptr ? *edge : default_edge(state.surface);
   TriangleSurface remeshed = remesh(state.surface, length);
-  if (!(surface_distance(state.surface, remeshed) <= tolerance)) return {};
+  const double moved = surface_distance(state.surface, remeshed);
+  if (!(moved <= tolerance)) {
+    if (edge == nullptr) return {};
+    throw UsageError(fmt::format(
+        "remeshing with the edge length {:.4g} would move the surface by {:.3g}, more than the "
+        "tolerance of {:.3g}: ask for a shorter edge or a larger tolerance",
+        length, moved, tolerance));
+  }
   Outcome outcome;
   outcome.places.push_back(centroid(state.surface, 0));
   outcome.text =

@@ -6,6 +6,7 @@
 
 #include "support/expect_error.h"
 #include "support/surfaces.h"
+#include "support/vessel_surfaces.h"
 #include "surface/check.h"
 #include "surface/generate.h"
 
@@ -26,22 +27,6 @@ struct Vessel {
   Connectivity mesh;
   Eigen::VectorXd edge;
 };
-
-/// A straight tube with a sac on a neck on its side: a blind region by construction. Rows of the
-/// tube's lattice around one place are drawn out along the normal.
-TriangleSurface tube_with_sac() {
-  TriangleSurface surface = cylinder(1.0, 10.0, 60, 90);
-  const Vec3 foot(1.0, 0.0, 5.0);
-  for (Vec3& p : surface.points) {
-    const double angle = std::atan2(p.y(), p.x());
-    const double distance = std::hypot(angle, p.z() - foot.z());
-    const double reach = 0.9;
-    if (distance > reach) continue;
-    const double t = 1.0 - distance / reach;
-    p.x() += 3.5 * t * (2.0 - t);
-  }
-  return surface;
-}
 
 void expect_poly_annulus(const FormSolution& s) {
   const int loops = static_cast<int>(s.connectivity.loops().size());

@@ -183,7 +183,7 @@ TEST_F(Program, TellsWhatItDid) {
   EXPECT_NE(result_.err.find("[1/"), std::string::npos) << result_.err;
   EXPECT_EQ(result_.out.find(" s\n"), std::string::npos);
   mesh("verbose", {"--verbose"});
-  EXPECT_TRUE(std::regex_search(result_.out, std::regex("forms +[0-9.]+ s\n"))) << result_.out;
+  EXPECT_TRUE(std::regex_search(result_.out, std::regex("form +[0-9.]+ s\n"))) << result_.out;
 }
 
 TEST_F(Program, IsQuietIfAsked) {

@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "support/child_process.h"
+#include "support/outcomes.h"
 #include "support/shared_data.h"
 #include "support/temporary_folder.h"
 #include "surface/generate.h"
@@ -41,8 +42,8 @@ std::optional<std::string> unpacked_aneurysm(const std::string& folder) {
 std::vector<std::string> meshable_surfaces() {
   std::vector<std::string> names(shapes.begin(), shapes.end());
   names.emplace_back("aneurysm");
-  for (const SharedFile& file : shared_files) {
-    if (file.outcome == ExitCode::success) names.emplace_back(file.name);
+  for (const Outcome& file : shared_files()) {
+    if (file.is_clean()) names.push_back(file.surface);
   }
   return names;
 }

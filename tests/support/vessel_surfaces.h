@@ -14,6 +14,7 @@
 
 #include <Eigen/Geometry>
 
+#include "support/outcomes.h"
 #include "support/shared_data.h"
 #include "surface/check.h"
 #include "surface/connectivity.h"
@@ -55,6 +56,22 @@ inline TriangleSurface branching_tree(double edge) {
                      edge);
 }
 
+/// A straight tube with a sac on a neck on its side: a blind region by construction. Rows of the
+/// tube's lattice around one place are drawn out along the normal.
+inline TriangleSurface tube_with_sac() {
+  TriangleSurface surface = cylinder(1.0, 10.0, 60, 90);
+  const Vec3 foot(1.0, 0.0, 5.0);
+  for (Vec3& p : surface.points) {
+    const double angle = std::atan2(p.y(), p.x());
+    const double distance = std::hypot(angle, p.z() - foot.z());
+    const double reach = 0.9;
+    if (distance > reach) continue;
+    const double t = 1.0 - distance / reach;
+    p.x() += 3.5 * t * (2.0 - t);
+  }
+  return surface;
+}
+
 /// Surfaces that the program can make itself, with edge lengths that keep tests quick.
 inline const std::map<std::string, std::function<TriangleSurface()>>& coarse_shapes() {
   static const std::map<std::string, std::function<TriangleSurface()>> shapes{
@@ -76,8 +93,8 @@ inline std::vector<std::string> coarse_shape_names() {
 inline std::vector<std::string> vessel_surface_names() {
   std::vector<std::string> names = coarse_shape_names();
   names.emplace_back("aaa");
-  for (const SharedFile& file : shared_files) {
-    if (file.outcome == ExitCode::success) names.emplace_back(file.name);
+  for (const Outcome& file : shared_files()) {
+    if (file.is_clean()) names.push_back(file.surface);
   }
   return names;
 }

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "support/expect_error.h"
+#include "support/outcomes.h"
 #include "support/shared_data.h"
 #include "support/temporary_folder.h"
 #include "surface/polygon_soup.h"
@@ -29,11 +30,6 @@ const SurfaceArray& array_named(const std::vector<SurfaceArray>& arrays, const s
                                [&](const SurfaceArray& array) { return array.name == name; });
   if (it == arrays.end()) throw std::runtime_error("there is no array " + name);
   return *it;
-}
-
-Vec3 centroid(const TriangleSurface& surface, int f) {
-  const auto& [a, b, c] = surface.triangles[f];
-  return (surface.points[a] + surface.points[b] + surface.points[c]) / 3.0;
 }
 
 /// The array holds 10 x + y of each point.
@@ -179,14 +175,14 @@ TEST(Arrays, OfRealFilesFitTheirSurface) {
   const auto folder = test::shared_data();
   if (!folder) GTEST_SKIP() << "no folder of shared data; set HEXWALL_SHARED_DATA";
   std::set<std::string> names;
-  for (const test::SharedFile& file : test::shared_files) {
-    const ReadResult result = read_surface(*folder / file.name);
+  for (const test::Outcome& file : test::shared_files()) {
+    const ReadResult result = read_surface(*folder / file.surface);
     for (const SurfaceArray& array : result.point_arrays) {
-      EXPECT_EQ(array.tuples(), file.vertices) << file.name << " " << array.name;
+      EXPECT_EQ(array.tuples(), file.vertices) << file.surface << " " << array.name;
       names.insert(array.name);
     }
     for (const SurfaceArray& array : result.cell_arrays) {
-      EXPECT_EQ(array.tuples(), file.triangles) << file.name << " " << array.name;
+      EXPECT_EQ(array.tuples(), file.triangles) << file.surface << " " << array.name;
       names.insert(array.name);
     }
   }

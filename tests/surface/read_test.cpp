@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "support/expect_error.h"
+#include "support/outcomes.h"
 #include "support/shared_data.h"
 #include "support/temporary_folder.h"
 #include "surface/generate.h"
@@ -360,17 +361,17 @@ TEST(WriteSurface, LeavesNoTemporaryFileAndReplacesTheOld) {
 
 // --- real surfaces ------------------------------------------------------------------------------
 
-class SharedFiles : public testing::TestWithParam<test::SharedFile> {};
+class SharedFiles : public testing::TestWithParam<test::Outcome> {};
 
 TEST_P(SharedFiles, AreReadWithTheirPointsShared) {
   const auto folder = test::shared_data();
   if (!folder) GTEST_SKIP() << "no folder of shared data; set HEXWALL_SHARED_DATA";
-  const TriangleSurface surface = read_surface(*folder / GetParam().name).surface;
+  const TriangleSurface surface = read_surface(*folder / GetParam().surface).surface;
   EXPECT_EQ(static_cast<int>(surface.points.size()), GetParam().vertices);
   EXPECT_EQ(static_cast<int>(surface.triangles.size()), GetParam().triangles);
 }
 
-INSTANTIATE_TEST_SUITE_P(ReadSurface, SharedFiles, testing::ValuesIn(test::shared_files));
+INSTANTIATE_TEST_SUITE_P(ReadSurface, SharedFiles, testing::ValuesIn(test::shared_files()));
 
 }  // namespace
 }  // namespace hexwall

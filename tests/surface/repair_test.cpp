@@ -215,6 +215,7 @@ TriangleSurface with_touching_octahedron(bool at_edge) {
     surface.points.push_back(q);
   }
   if (!at_edge) surface.points.emplace_back(p + along + 0.5 * out);
+  const int u = at_edge ? w : n + 4;
   // Around the axis from n to n + 1: v, u, n + 2, n + 3.
   const std::array<int, 4> ring{v, u, n + 2, n + 3};
   for (int i = 0; i < 4; ++i) {
