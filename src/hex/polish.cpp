@@ -43,6 +43,7 @@ class Polisher {
         shape_(shape),
         first_quad_(quads.points.size() + 1, 0),
         quads_of_vertex_(4 * quads.quads.size()),
+        is_hopeless_(quads.quads.size(), 0),
         shortfall_(quads.quads.size()),
         step_(quads.points.size(), 1.0),
         moved_(quads.points.size(), 0) {
@@ -58,8 +59,12 @@ class Polisher {
 
   PolishResult run() {
     PolishResult result;
-    parallel_for(shortfall_.size(),
-                 [&](std::size_t q) { shortfall_[q] = shortfall(static_cast<int>(q)); });
+    parallel_for(shortfall_.size(), [&](std::size_t q) {
+      const Column c = column(static_cast<int>(q));
+      is_hopeless_[q] =
+          column_quality(c, shape_.plan.levels).face_split < hopeless_face_split ? 1 : 0;
+      shortfall_[q] = shortfall(static_cast<int>(q));
+    });
     result.columns_before = count_short();
     for (int sweep = 0; sweep < most_sweeps; ++sweep) {
       bool changed = false;
@@ -84,7 +89,8 @@ class Polisher {
     const ColumnQuality quality = column_quality(c, shape_.plan.levels);
     return square(std::max(0.0, wanted_quad_jacobian - scaled_jacobian(c.base))) +
            square(std::max(0.0, wanted_hex_jacobian - quality.scaled_jacobian)) +
-           square(std::max(0.0, wanted_face_split - quality.face_split));
+           (is_hopeless_[q] != 0 ? 0.0
+                                 : square(std::max(0.0, wanted_face_split - quality.face_split)));
   }
 
   // Vertices of short columns that may still move, in order of their numbers.
@@ -196,6 +202,7 @@ class Polisher {
   const SurfaceProjector& projector_;
   const WallShape& shape_;
   std::vector<int> first_quad_, quads_of_vertex_;
+  std::vector<char> is_hopeless_;  // #Q faces between layers are not asked to be split
   std::vector<double> shortfall_;
   std::vector<double> step_;
   std::vector<char> moved_;

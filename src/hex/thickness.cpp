@@ -8,6 +8,7 @@
 
 #include "core/errors.h"
 #include "core/parallel.h"
+#include "hex/skewness.h"
 #include "hex/skin.h"
 #include "quad/quality.h"
 
@@ -16,6 +17,10 @@ namespace {
 
 // Hexes better than this need no thinner wall.
 constexpr double wanted_scaled_jacobian = 0.2;
+// OpenFOAM reports faces of skewness above 4.
+constexpr double greatest_skewness = 3.6;
+// Where this share of the thickness is still too skewed, the quads are, and no thickness mends it.
+constexpr double least_ratio_for_skewness = 0.2;
 // Thickness shrinks by this factor per round where a column is bad: small enough steps to stay
 // near the largest thickness possible, and 1e-3 of the asked one is reached in 40 rounds.
 constexpr double shrink_factor = 0.84;
@@ -38,6 +43,7 @@ class Fitter {
         levels_(side == Side::outward ? shape.plan.outer_levels() : shape.plan.inner_levels()),
         edges_(edges_of(quads)),
         skin_(quads, directions, side),
+        skewness_(quads),
         trial_(one_sided(shape)),
         bound_(quads.quads.size()) {
     result_.asked = given();
@@ -98,9 +104,25 @@ class Fitter {
       for (std::size_t q = 0; q < bad.size(); ++q) {
         if (bad[q] != 0) marked.push_back(static_cast<int>(q));
       }
+      if (marked.empty()) marked = skewed_columns();
       if (marked.empty()) return;
       shrink(marked, "fits");
     }
+  }
+
+  // Skewed columns that a thinner wall may still mend.
+  std::vector<int> skewed_columns() {
+    std::vector<int> skewed =
+        skewness_.quads_above(greatest_skewness, directions_, trial_, levels_);
+    skewed.erase(std::remove_if(skewed.begin(), skewed.end(),
+                                [&](int q) {
+                                  const auto& quad = quads_.quads[q];
+                                  return std::all_of(quad.begin(), quad.end(), [&](int v) {
+                                    return given()[v] < least_ratio_for_skewness * result_.asked[v];
+                                  });
+                                }),
+                 skewed.end());
+    return skewed;
   }
 
   std::vector<double> with_clearance() {
@@ -207,6 +229,7 @@ class Fitter {
   std::vector<std::array<int, 2>> edges_;
   std::vector<double> room_;  // #E greatest difference of thickness between the ends
   Skin skin_;
+  Skewness skewness_;
   WallShape trial_;
   std::vector<double> bound_;  // #Q scaled Jacobian wanted
   ThicknessResult result_;

@@ -27,11 +27,12 @@ struct ThicknessResult {
 ///
 /// It is reduced where a hex would have a corner of scaled Jacobian below 0.2, or below half of
 /// what it has in the limit of no thickness if that is less; and where the skin would meet itself,
-/// the surface or an end ring, with a clearance of 5 % of the thickness. Reductions spread
-/// smoothly: thickness changes along the surface by a slope of 0.3 at most, more only where that
-/// much was asked. No layer is ever dropped. \param directions #V unit vectors, outward. \pre
-/// `shape` has layers on that side. \throws MeshingError, naming the place, if no positive
-/// thickness gives positive Jacobians, or none keeps the skin from meeting itself.
+/// the surface or an end ring, with a clearance of 5 % of the thickness; and, down to a fifth,
+/// where a face would be more skewed than OpenFOAM's checkMesh allows. Reductions spread smoothly:
+/// thickness changes along the surface by a slope of 0.3 at most, more only where that much was
+/// asked. No layer is ever dropped. \param directions #V unit vectors, outward. \pre `shape` has
+/// layers on that side. \throws MeshingError, naming the place, if no positive thickness gives
+/// positive Jacobians, or none keeps the skin from meeting itself.
 ThicknessResult fit_thickness(const QuadMesh& quads, const std::vector<Vec3>& directions,
                               const WallShape& shape, Side side);
 

@@ -1,0 +1,206 @@
+#include "hex/skewness.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include <Eigen/Geometry>
+
+#include "core/parallel.h"
+
+namespace hexwall {
+namespace {
+
+using Face = std::array<Vec3, 4>;
+
+// Faces of a hex whose normals point out, by its corners in VTK's order.
+constexpr std::array<std::array<int, 4>, 6> faces_of_hex{
+    {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}};
+// A face counts as extended by at least these shares of the distance of the cells, as in OpenFOAM.
+constexpr double least_extent_inside = 0.2;
+constexpr double least_extent_at_boundary = 0.4;
+
+struct FaceGeometry {
+  Vec3 center;
+  Vec3 area;  // vector
+};
+
+// By the four triangles around the mean of the corners, weighted by their areas.
+FaceGeometry geometry_of(const Face& face) {
+  const Vec3 middle = 0.25 * (face[0] + face[1] + face[2] + face[3]);
+  FaceGeometry result{Vec3::Zero(), Vec3::Zero()};
+  double weights = 0.0;
+  for (int k = 0; k < 4; ++k) {
+    const Vec3& a = face[k];
+    const Vec3& b = face[(k + 1) % 4];
+    const Vec3 doubled_area = (b - a).cross(middle - a);
+    const double weight = doubled_area.norm();
+    result.area += 0.5 * doubled_area;
+    result.center += weight * (a + b + middle) / 3.0;
+    weights += weight;
+  }
+  result.center = weights > 0.0 ? Vec3(result.center / weights) : middle;
+  return result;
+}
+
+// By the pyramids of the faces over the mean of their centres, weighted by their volumes.
+Vec3 center_of(const std::array<Vec3, 8>& hex) {
+  std::array<FaceGeometry, 6> faces;
+  Vec3 middle = Vec3::Zero();
+  for (int f = 0; f < 6; ++f) {
+    const auto& c = faces_of_hex[f];
+    faces[f] = geometry_of({hex[c[0]], hex[c[1]], hex[c[2]], hex[c[3]]});
+    middle += faces[f].center / 6.0;
+  }
+  Vec3 sum = Vec3::Zero();
+  double volume = 0.0;
+  for (const FaceGeometry& face : faces) {
+    const double pyramid = face.area.dot(face.center - middle);
+    sum += pyramid * (0.75 * face.center + 0.25 * middle);
+    volume += pyramid;
+  }
+  return volume > 0.0 ? Vec3(sum / volume) : middle;
+}
+
+double relative(const Vec3& offset, const Face& face, const Vec3& center, double least_extent) {
+  const double length = offset.norm();
+  if (length == 0.0) return 0.0;
+  double extent = least_extent;
+  for (const Vec3& p : face) extent = std::max(extent, std::abs(offset.dot(p - center)) / length);
+  return length / extent;
+}
+
+double skewness_between(const Face& face, const Vec3& owner, const Vec3& neighbour) {
+  const FaceGeometry geometry = geometry_of(face);
+  const Vec3 to_face = geometry.center - owner;
+  const Vec3 d = neighbour - owner;
+  const double across = geometry.area.dot(d);
+  if (across == 0.0) return std::numeric_limits<double>::max();
+  const Vec3 offset = to_face - geometry.area.dot(to_face) / across * d;
+  return relative(offset, face, geometry.center, least_extent_inside * d.norm());
+}
+
+double skewness_at_boundary(const Face& face, const Vec3& owner) {
+  const FaceGeometry geometry = geometry_of(face);
+  const Vec3 normal = geometry.area.normalized();
+  const Vec3 to_face = geometry.center - owner;
+  const Vec3 d = normal.dot(to_face) * normal;
+  return relative(to_face - d, face, geometry.center, least_extent_at_boundary * d.norm());
+}
+
+/// Points and centres of the cells of all columns.
+class Cells {
+ public:
+  Cells(const QuadMesh& quads, const std::vector<Vec3>& directions, const WallShape& shape,
+        const std::vector<double>& levels)
+      : quads_(quads),
+        directions_(directions),
+        shape_(shape),
+        levels_(levels),
+        layers_(static_cast<int>(levels.size()) - 1),
+        centers_(quads.quads.size() * layers_) {
+    parallel_for(quads.quads.size(), [&](std::size_t q) {
+      for (int layer = 0; layer < layers_; ++layer) {
+        std::array<Vec3, 8> hex;
+        for (int k = 0; k < 4; ++k) {
+          hex[k] = at(quads_.quads[q][k], layer);
+          hex[k + 4] = at(quads_.quads[q][k], layer + 1);
+        }
+        centers_[q * layers_ + layer] = center_of(hex);
+      }
+    });
+  }
+
+  // The greatest skewness of the faces between the layers of a column, and of its skins.
+  double of_column(int q) const {
+    double worst = 0.0;
+    for (int level = 0; level <= layers_; ++level) {
+      Face face;
+      for (int k = 0; k < 4; ++k) face[k] = at(quads_.quads[q][k], level);
+      if (level == 0 || level == layers_) {
+        worst = std::max(worst, skewness_at_boundary(face, center(q, level == 0 ? 0 : level - 1)));
+      } else {
+        worst = std::max(worst, skewness_between(face, center(q, level - 1), center(q, level)));
+      }
+    }
+    return worst;
+  }
+
+  // The same of the faces between two columns.
+  double between_columns(const std::array<int, 2>& edge, const std::array<int, 2>& quads) const {
+    double worst = 0.0;
+    for (int layer = 0; layer < layers_; ++layer) {
+      const Face face{at(edge[0], layer), at(edge[1], layer), at(edge[1], layer + 1),
+                      at(edge[0], layer + 1)};
+      worst =
+          std::max(worst, skewness_between(face, center(quads[0], layer), center(quads[1], layer)));
+    }
+    return worst;
+  }
+
+ private:
+  Vec3 at(int v, int level) const {
+    return point_at(quads_.points[v], directions_[v],
+                    shape_.outward.empty() ? 0.0 : shape_.outward[v],
+                    shape_.inward.empty() ? 0.0 : shape_.inward[v], levels_[level]);
+  }
+
+  const Vec3& center(int q, int layer) const {
+    return centers_[static_cast<std::size_t>(q) * layers_ + layer];
+  }
+
+  const QuadMesh& quads_;
+  const std::vector<Vec3>& directions_;
+  const WallShape& shape_;
+  const std::vector<double>& levels_;
+  int layers_;
+  std::vector<Vec3> centers_;
+};
+
+}  // namespace
+
+Skewness::Skewness(const QuadMesh& quads) : quads_(quads) {
+  struct Side {
+    std::array<int, 2> edge;
+    int quad;
+  };
+  std::vector<Side> sides;
+  for (int q = 0; q < static_cast<int>(quads.quads.size()); ++q) {
+    for (int k = 0; k < 4; ++k) {
+      const auto [low, high] = std::minmax(quads.quads[q][k], quads.quads[q][(k + 1) % 4]);
+      sides.push_back({{low, high}, q});
+    }
+  }
+  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
+    return std::tie(a.edge, a.quad) < std::tie(b.edge, b.quad);
+  });
+  for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
+    if (sides[i].edge != sides[i + 1].edge) continue;
+    edges_.push_back({sides[i].edge, {sides[i].quad, sides[i + 1].quad}});
+  }
+}
+
+std::vector<int> Skewness::quads_above(double limit, const std::vector<Vec3>& directions,
+                                       const WallShape& shape,
+                                       const std::vector<double>& levels) const {
+  const Cells cells(quads_, directions, shape, levels);
+  std::vector<char> column_is_skewed(quads_.quads.size());
+  parallel_for(column_is_skewed.size(), [&](std::size_t q) {
+    column_is_skewed[q] = cells.of_column(static_cast<int>(q)) > limit ? 1 : 0;
+  });
+  std::vector<char> edge_is_skewed(edges_.size());
+  parallel_for(edges_.size(), [&](std::size_t e) {
+    edge_is_skewed[e] = cells.between_columns(edges_[e].vertices, edges_[e].quads) > limit ? 1 : 0;
+  });
+  for (std::size_t e = 0; e < edges_.size(); ++e) {
+    if (edge_is_skewed[e] == 0) continue;
+    for (const int q : edges_[e].quads) column_is_skewed[q] = 1;
+  }
+  std::vector<int> result;
+  for (std::size_t q = 0; q < column_is_skewed.size(); ++q) {
+    if (column_is_skewed[q] != 0) result.push_back(static_cast<int>(q));
+  }
+  return result;
+}
+
+}  // namespace hexwall
