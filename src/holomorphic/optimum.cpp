@@ -77,8 +77,8 @@ class Search {
                       [&](const std::vector<int>& signs) { descend_from(signs); });
   }
 
-  // First by the energies of the starts alone, which are cheap; a descent from each pattern found;
-  // then by descents, from the best of these.
+  // First by the energies of the starts alone, which are cheap; a descent from each pattern found,
+  // and from the random ones, for variety; then by descents, from the best of these.
   void search_sign_flips() {
     std::mt19937_64 random(options_.seed);
     std::set<std::vector<int>> patterns;
@@ -87,6 +87,7 @@ class Search {
       do {
         for (int& s : signs) s = (random() >> 32 & 1U) != 0 ? -1 : 1;
       } while (!has_both_signs(signs));
+      patterns.insert(signs);
       improve_by_flips(signs, [&] { return start_energy(signs); });
       patterns.insert(signs);
     }

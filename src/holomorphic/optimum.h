@@ -12,7 +12,7 @@ namespace hexwall {
 struct OptimumOptions {
   int exhaustive_limit = 12;  ///< up to this n every sign pattern is a start
   int search_restarts = 16;   ///< random patterns of the sign-flip search above that
-  int search_finalists = 2;   ///< patterns that are improved by whole descents
+  int search_finalists = 16;  ///< patterns that are improved by whole descents
   std::uint64_t seed = 1;     ///< of the sign-flip search
   int max_iterations = 200;   ///< of one trust-region descent
 };

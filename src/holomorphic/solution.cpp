@@ -7,7 +7,6 @@
 
 #include "dec/operators.h"
 #include "holomorphic/energy.h"
-#include "surface/loop_shape.h"
 
 namespace hexwall {
 namespace {
@@ -16,6 +15,7 @@ namespace {
 // them for each loop that the order of the energies is that on all.
 constexpr int most_loops_on_all_triangles = 16;
 constexpr int sampled_triangles_per_loop = 128;
+constexpr int finalists_of_many_loops = 3;
 // Beyond as many, the coefficients of the quartic cost more than a pass over the sample.
 constexpr int most_loops_as_quartic = 60;
 
@@ -83,6 +83,21 @@ void find_size_ratios(const FormProblem& problem, FormSolution& s) {
   s.off_size_share = off / total;
 }
 
+// Lengths of the loops in the plane if quads had their target sizes there.
+std::vector<double> wanted_circumferences(const FormProblem& problem, const FormSolution& s) {
+  const Connectivity& mesh = s.connectivity;
+  std::vector<double> lengths(mesh.loops().size(), 0.0);
+  for (std::size_t i = 0; i < lengths.size(); ++i) {
+    for (const int v : mesh.loops()[i]) {
+      const int h = mesh.outgoing(v);
+      const double length =
+          (s.refined.surface.points[mesh.tip(h)] - s.refined.surface.points[v]).norm();
+      lengths[i] += length / problem.edge[s.refined.parent_face[Connectivity::face(h)]];
+    }
+  }
+  return lengths;
+}
+
 // Many loops have many sign patterns: they are tried on a sample of the triangles, and only the
 // best one is brought to its minimum on all of them.
 OptimumResult find_optimum(const AreaEnergyInput& input, const AreaEnergy& energy,
@@ -92,7 +107,9 @@ OptimumResult find_optimum(const AreaEnergyInput& input, const AreaEnergy& energ
   const std::vector<int> parents = sampled_parents(input, sampled_triangles_per_loop * n);
   const AreaEnergyInput sample{input.surface, parents, input.parent_count, input.g, input.rho};
   const auto coarse = n <= most_loops_as_quartic ? quartic_energy(sample) : facewise_energy(sample);
-  OptimumResult result = optimal_form(*coarse, lengths, exterior);
+  OptimumOptions options;
+  options.search_finalists = finalists_of_many_loops;
+  OptimumResult result = optimal_form(*coarse, lengths, exterior, options);
   Descent last = descend(energy, result.lambda, OptimumOptions{}.max_iterations);
   last.signs = result.descents[result.best].signs;
   result.lambda = last.lambda;
@@ -123,11 +140,7 @@ FormSolution solve_form(const FormProblem& problem, const std::vector<SurfaceDis
   const auto face_count = static_cast<int>(problem.surface.triangles.size());
   const AreaEnergyInput input{s.refined.surface, s.refined.parent_face, face_count, g, rho};
   const auto energy = area_energy(input);
-  std::vector<double> lengths;
-  for (const auto& loop : s.connectivity.loops()) {
-    lengths.push_back(loop_shape(points_of(s.refined.surface, loop)).length);
-  }
-  s.optimum = find_optimum(input, *energy, lengths, s.basis.exterior);
+  s.optimum = find_optimum(input, *energy, wanted_circumferences(problem, s), s.basis.exterior);
   s.form = combine(s.connectivity, s.basis, s.optimum.lambda);
   find_scale_factors(s);
   find_size_ratios(problem, s);
