@@ -13,9 +13,10 @@
 namespace hexwall {
 namespace {
 
-// Goals: well above what is required (0.4, 0.2 and 0), so that reaching them nearly is good enough.
-constexpr double wanted_quad_jacobian = 0.5;
-constexpr double wanted_hex_jacobian = 0.3;
+// Goals: just below what the corners of a regular zero of valence 8 allow, sin 45 deg = 0.71; and
+// above 0, so that reaching it nearly is good enough.
+constexpr double wanted_quad_jacobian = 0.68;
+constexpr double wanted_hex_jacobian = 0.66;
 constexpr double wanted_face_split = 0.15;
 // Among places that meet the goals, those with squarer quads are taken.
 constexpr double skew_weight = 0.02;

@@ -104,6 +104,27 @@ std::multiset<std::multiset<int>> surface_of(const Deck& deck, const HexMesh& me
   return faces;
 }
 
+TEST(Abaqus, HasRegionsAndTheirInterface) {
+  const TemporaryFolder folder;
+  const HexMesh mesh = block_mesh({12, 4, 5, 1, 1.5, 3, 2});
+  write_abaqus(folder / "a.inp", mesh);
+  const Deck deck = read_deck(folder / "a.inp");
+  for (const CellZone& region : mesh.regions) {
+    std::vector<int> hexes;
+    for (const auto& row : data_of(deck, "*ELSET,ELSET=" + region.name + ",GENERATE")) {
+      for (int hex = std::stoi(row.at(0)); hex <= std::stoi(row.at(1)); ++hex) {
+        hexes.push_back(hex - 1);
+      }
+    }
+    EXPECT_EQ(hexes, region.hexes);
+  }
+  std::multiset<std::multiset<int>> expected;
+  for (const BoundaryFace& face : mesh.face_zones[0].faces) {
+    expected.insert({face.vertices.begin(), face.vertices.end()});
+  }
+  EXPECT_EQ(surface_of(deck, mesh, "interface"), expected);
+}
+
 TEST(Abaqus, NumbersTheSixFacesOfAHex) {
   const TemporaryFolder folder;
   HexMesh mesh{

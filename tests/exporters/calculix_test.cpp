@@ -203,6 +203,31 @@ TEST(CalculixBifurcation, PressureOnEachPatchGivesPressureTimesArea) {
   }
 }
 
+/// Two regions in one deck, each with a material of its own by its name: pressure in the core is
+/// carried to the outer skin through the interface.
+TEST(CalculixMesh, TakesMaterialsByRegion) {
+  const TemporaryFolder folder;
+  PipelineOptions options;
+  options.size = 0.4;
+  options.outward->layers = 2;
+  options.inward = LayerOptions{};
+  const HexMesh mesh = run_pipeline(cylinder(1.0, 2.0, 24, 12), options).wall;
+  write_abaqus(folder / "wall.inp", mesh);
+  const Vec3 expected = kPressure * area_vector(mesh, mesh.patches[2]);
+  const CalculixResult result = run_calculix(
+      folder.path(),
+      fmt::format("*INCLUDE, INPUT=wall.inp\n*MATERIAL, NAME=A\n*ELASTIC\n1000, 0.3\n"
+                  "*MATERIAL, NAME=B\n*ELASTIC\n10, 0.3\n*SOLID SECTION, ELSET=wall, MATERIAL=A\n"
+                  "*SOLID SECTION, ELSET=lumen, MATERIAL=B\n*STEP\n*STATIC\n*BOUNDARY\n"
+                  "outer_wall, 1, 3\n*DSLOAD\n{}, P, {}\n"
+                  "*NODE PRINT, NSET=outer_wall, TOTALS=ONLY\nRF\n*END STEP\n",
+                  mesh.patches[2].name, kPressure));
+  if (!result.available) GTEST_SKIP() << kNotInstalled;
+  ASSERT_TRUE(result.ok) << result.log;
+  ASSERT_GT(expected.norm(), 0.01);
+  EXPECT_LT((result.total_force - expected).norm(), 1e-4 * expected.norm());
+}
+
 /// The nodes of an .frd file: what CalculiX took the coordinates for.
 std::map<int, Vec3> nodes_of_frd(const std::filesystem::path& path) {
   std::ifstream file(path);

@@ -138,6 +138,24 @@ INSTANTIATE_TEST_SUITE_P(Tubes, Gmsh,
                          testing::Values(BlockTube{}, BlockTube{3, 1, 1},
                                          BlockTube{24, 12, 4, 1, 1.2, 5}));
 
+/// Regions are physical volumes beside the layers', the interface a physical surface that bounds a
+/// volume on either side.
+TEST(GmshFile, TwoRegionsAndTheirInterfaceHaveGroups) {
+  const TemporaryFolder folder;
+  write_gmsh(folder / "a.msh", block_mesh({12, 4, 5, 1, 1.5, 3, 2}));
+  const auto names = read_names(folder / "a.msh");
+  EXPECT_EQ(names.at({2, 5}), "interface");
+  EXPECT_EQ(names.at({3, 6}), "lumen");
+  EXPECT_EQ(names.at({3, 7}), "wall");
+  const ChildResult run =
+      run_child({"gmsh", folder / "a.msh", "-check", "-save", "-o", folder / "b.msh"});
+  if (run.exit_code < 0) GTEST_SKIP() << "gmsh is not installed";
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_THAT(run.out + run.err, Not(HasSubstr("Warning")));
+  EXPECT_THAT(run.out + run.err, Not(HasSubstr("Error")));
+  EXPECT_EQ(read_names(folder / "b.msh"), names);
+}
+
 TEST(GmshFile, OfABifurcationIsConvertedInSilence) {
   const TemporaryFolder folder;
   PipelineOptions options;

@@ -182,7 +182,41 @@ TEST_P(OpenFoam, PassesCheckMesh) {
 
 INSTANTIATE_TEST_SUITE_P(Tubes, OpenFoam,
                          testing::Values(BlockTube{}, BlockTube{6, 2, 2},
-                                         BlockTube{24, 12, 4, 1, 1.2, 5}));
+                                         BlockTube{24, 12, 4, 1, 1.2, 5},
+                                         BlockTube{24, 12, 5, 1, 1.5, 5, 2}));
+
+// The interface is the faces whose owner is in the lumen and whose neighbour is in the wall.
+TEST(OpenFoamFiles, TwoRegionsHaveAnInterfaceAndSets) {
+  const TemporaryFolder folder;
+  const HexMesh hexes = block_mesh({12, 4, 5, 1, 1.5, 3, 2});
+  write_openfoam(folder.path(), hexes, 1);
+  const auto poly_mesh = folder / "constant/polyMesh";
+  const PolyMesh mesh = read_poly_mesh(poly_mesh);
+  std::vector<bool> in_lumen(hexes.hexes.size(), false);
+  for (const int cell : read_labels(poly_mesh / "sets/lumen")) in_lumen.at(cell) = true;
+  EXPECT_EQ(std::count(in_lumen.begin(), in_lumen.end(), true), 12 * 4 * 2);
+  const std::vector<int> wall = read_labels(poly_mesh / "sets/wall");
+  EXPECT_EQ(wall.size(), 12U * 4U * 3U);
+  for (const int cell : wall) EXPECT_FALSE(in_lumen.at(cell));
+
+  auto in = body_of(poly_mesh / "faceZones");
+  std::string word;
+  EXPECT_EQ(next<int>(in), 1);
+  EXPECT_EQ(next<std::string>(in), "interface");
+  while (in >> word && word != "List<label>") continue;
+  std::vector<int> faces(next<int>(in));
+  EXPECT_EQ(faces.size(), 12U * 4U);
+  for (int& face : faces) {
+    face = next<int>(in);
+    EXPECT_TRUE(in_lumen.at(mesh.owner.at(face)));
+    EXPECT_FALSE(in_lumen.at(mesh.neighbour.at(face)));
+  }
+  while (in >> word && word != "List<bool>") continue;
+  EXPECT_EQ(next<int>(in), 12 * 4);
+  for (std::size_t i = 0; i < faces.size(); ++i) EXPECT_EQ(next<int>(in), 0);
+  std::sort(faces.begin(), faces.end());
+  EXPECT_EQ(std::unique(faces.begin(), faces.end()), faces.end());
+}
 
 TEST(OpenFoamFiles, PointsAreInMetresToTheLastBit) {
   const TemporaryFolder folder;
