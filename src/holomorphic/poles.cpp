@@ -161,6 +161,8 @@ class Judge {
     const auto energy =
         area_energy({s_.refined.surface, faces, static_cast<int>(rho_.size()), g, rho_});
     const Descent best = best_descent(*energy);
+    // Where the neighbourhood left out is all of the surface, there is no energy to descend.
+    if (best.lambda.size() == 0) return {vertex};
     return {vertex, best.energy, std::abs(best.lambda[best.lambda.size() - 1])};
   }
 
@@ -238,6 +240,7 @@ class Judge {
 // the next best ones of the sample.
 std::vector<Judgement> best_places(const FormProblem& problem, const FormSolution& s,
                                    const BlindRegion& region, int candidates) {
+  if (region.vertices.empty()) return {};  // every vertex lies on an opening
   const Judge judge(problem, s, left_out_radius * region.radius);
   const std::vector<Vec3>& points = s.refined.surface.points;
   const Sample sample = farthest_points(points, region.vertices, region.vertices[0], candidates);
@@ -310,6 +313,7 @@ std::optional<FormSolution> solve_with_disk(const FormProblem& problem,
 bool add_pole(const FormProblem& problem, const Judgement& judgement, const PoleOptions& options,
               PoleResult& result) {
   const FormSolution& s = result.solution;
+  if (judgement.circumference <= 0.0) return false;
   if (options.only_if_worthwhile &&
       judgement.energy > (1.0 - promising_gain * options.least_gain) * s.optimum.energy) {
     return false;
@@ -363,14 +367,15 @@ PoleResult place_poles_at(const FormProblem& problem, FormSolution start,
     const FormSolution& s = result.solution;
     const BlindRegion region = whole_surface(s);
     const std::vector<Vec3>& points = s.refined.surface.points;
-    const int vertex =
-        *std::min_element(region.vertices.begin(), region.vertices.end(), [&](int a, int b) {
+    const auto nearest =
+        std::min_element(region.vertices.begin(), region.vertices.end(), [&](int a, int b) {
           return (points[a] - place).squaredNorm() < (points[b] - place).squaredNorm();
         });
     const Judge judge(problem, s, left_out_radius * region.radius);
     PoleOptions options;
     options.only_if_worthwhile = false;
-    if (add_pole(problem, judge.judge({vertex})[0], options, result)) continue;
+    const bool is_inside = nearest != region.vertices.end();
+    if (is_inside && add_pole(problem, judge.judge({*nearest})[0], options, result)) continue;
     throw UsageError(fmt::format(
         "there is no room for a pole at ({:.6g}, {:.6g}, {:.6g}): it is too near an opening or "
         "another pole, or the surface is folded there",
