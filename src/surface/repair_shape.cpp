@@ -20,6 +20,9 @@ constexpr double poor_quality = 0.1;
 constexpr double greatest_poor_share = 0.1;
 
 constexpr double greatest_triangle_count = 1e7;
+// Unasked for, remeshing stops at so many times the triangles: beyond, some of them are so far out
+// of proportion (a spike) that no mesh of even size is what the user wants, or could wait for.
+constexpr double greatest_growth = 30.0;
 
 // Smoothing of self-intersections: rounds, and steps in each of them. The neighbourhood grows by a
 // ring of triangles every second round.
@@ -147,6 +150,11 @@ Outcome remesh_hopeless(State& state, const double* edge, double tolerance) {
   const bool is_hopeless = share > greatest_poor_share;
   if (!all_have_area(state.surface) || (edge == nullptr && !is_hopeless)) return {};
   const double length = edge != nullptr ? *edge : default_edge(state.surface);
+  const double wanted = total_area(state.surface) / equilateral_area(length);
+  const auto count = static_cast<double>(state.surface.triangles.size());
+  if (edge == nullptr && !(wanted <= std::min(greatest_growth * count, greatest_triangle_count))) {
+    return {};
+  }
   TriangleSurface remeshed = remesh(state.surface, length);
   if (!(surface_distance(state.surface, remeshed) <= tolerance)) return {};
   Outcome outcome;
