@@ -31,11 +31,6 @@ const SurfaceArray& array_named(const std::vector<SurfaceArray>& arrays, const s
   return *it;
 }
 
-Vec3 centroid(const TriangleSurface& surface, int f) {
-  const auto& [a, b, c] = surface.triangles[f];
-  return (surface.points[a] + surface.points[b] + surface.points[c]) / 3.0;
-}
-
 /// The array holds 10 x + y of each point.
 void expect_follows_points(const SurfaceArray& array, const TriangleSurface& surface) {
   ASSERT_EQ(array.values.size(), surface.points.size());
