@@ -84,6 +84,7 @@ Eigen::MatrixXd LaplaceSolver::solve(const Eigen::MatrixXd& rhs,
 }
 
 long LaplaceSolver::factor_nonzeros() const {
+  if (implementation_->free_vertices.empty()) return 0;
   return static_cast<long>(implementation_->factor.cholmod().lnz);
 }
 

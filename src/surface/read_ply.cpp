@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 #include <set>
 #include <string_view>
@@ -17,6 +18,9 @@ namespace hexwall {
 namespace {
 
 constexpr std::string_view blanks = " \t\r\n\v\f";
+
+// More than any file holds, and still an integer.
+constexpr double longest_list = 1e15;
 
 struct Property {
   std::string_view name;
@@ -132,9 +136,10 @@ Role role_of(const Element& element, const Property& property) {
 void read_list(NumberSource& source, const Property& property, Encoding encoding,
                std::vector<int>* corners) {
   const double count = source.number(*property.count_type, encoding);
-  if (!(count >= 0.0) || count != std::floor(count))
+  if (!(count >= 0.0) || count != std::floor(count)) {
     throw ReadError(fmt::format("a list of {} values", count));
-  for (double i = 0.0; i < count; ++i) {
+  }
+  for (auto left = static_cast<std::int64_t>(std::min(count, longest_list)); left > 0; --left) {
     const double value = source.number(property.type, encoding);
     if (corners != nullptr) corners->push_back(index_of(value));
   }

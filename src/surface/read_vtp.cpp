@@ -53,16 +53,20 @@ void add_points(const VtkXmlFile& file, const XmlElement& piece, std::size_t cou
   for (std::size_t i = 0; i < x.size(); i += 3) soup.points.emplace_back(x[i], x[i + 1], x[i + 2]);
 }
 
-// `first_point` of the piece. Corners out of the piece's range become -1, which is refused.
-int corner_of(double corner, std::size_t first_point, std::size_t points) {
+/// The points of a piece among those of all pieces.
+struct PointRange {
+  std::size_t first, count;
+};
+
+// Corners out of the piece's range become -1, which is refused.
+int corner_of(double corner, const PointRange& points) {
   const int index = index_of(corner);
-  return index >= 0 && static_cast<std::size_t>(index) < points
-             ? static_cast<int>(first_point) + index
-             : -1;
+  const bool is_inside = index >= 0 && static_cast<std::size_t>(index) < points.count;
+  return is_inside ? static_cast<int>(points.first) + index : -1;
 }
 
 void add_cells(const VtkXmlFile& file, const XmlElement& element, std::size_t count, int type,
-               std::size_t first_point, std::size_t points, VtkCells& cells) {
+               const PointRange& points, VtkCells& cells) {
   const std::vector<double> ends = numbers_of(file, array_named(element, "offsets"), count);
   double before = 0.0;
   for (std::size_t i = 0; i < count; before = ends[i++]) {
@@ -75,7 +79,7 @@ void add_cells(const VtkXmlFile& file, const XmlElement& element, std::size_t co
   for (const double end : ends) {
     std::vector<int> cell;
     for (; static_cast<double>(k) < end; ++k) {
-      cell.push_back(corner_of(corners[k], first_point, points));
+      cell.push_back(corner_of(corners[k], points));
     }
     cells.add(type, std::move(cell));
   }
@@ -134,9 +138,8 @@ struct Sum {
 };
 
 void add_piece(const VtkXmlFile& file, const XmlElement& piece, Sum& sum) {
-  const std::size_t first_point = sum.soup.points.size();
-  const std::size_t points = count_in(piece, "NumberOfPoints");
-  add_points(file, piece, points, sum.soup);
+  const PointRange points{sum.soup.points.size(), count_in(piece, "NumberOfPoints")};
+  add_points(file, piece, points.count, sum.soup);
   std::size_t cell_count = 0;
   for (const Part& part : parts) {
     const std::size_t count = count_in(piece, part.count);
@@ -144,11 +147,11 @@ void add_piece(const VtkXmlFile& file, const XmlElement& piece, Sum& sum) {
     const XmlElement* element = piece.child(part.element);
     if (element == nullptr)
       throw ReadError(fmt::format("the element '{}' is missing", part.element));
-    add_cells(file, *element, count, part.type, first_point, points, sum.cells);
+    add_cells(file, *element, count, part.type, points, sum.cells);
     cell_count += count;
   }
   sum.cell_count += cell_count;
-  sum.point_arrays.add(file, piece.child("PointData"), points);
+  sum.point_arrays.add(file, piece.child("PointData"), points.count);
   sum.cell_arrays.add(file, piece.child("CellData"), cell_count);
 }
 

@@ -164,7 +164,7 @@ class ByteStream {
     // No more bytes can come out than characters are there: do not even try.
     if (count > rest_.size() + decoded_.size()) throw ReadError("the file is truncated");
     if (!is_base64_) {
-      const std::string bytes(rest_.substr(0, count));
+      std::string bytes(rest_.substr(0, count));
       rest_.remove_prefix(count);
       return bytes;
     }

@@ -40,7 +40,7 @@ void add_array(vtkFieldData* data, const char* name, int tuples) {
 void fill(vtkPolyData* data) {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
-  for (int i = 0; i < 10; ++i) points->InsertNextPoint(i / 2 + 1.0 / 3.0, i % 2, 0.0);
+  for (int i = 0; i < 10; ++i) points->InsertNextPoint(0.5 * (i - i % 2) + 1.0 / 3.0, i % 2, 0.0);
   data->SetPoints(points);
   vtkNew<vtkCellArray> verts, lines, polys, strips;
   verts->InsertNextCell({0});
