@@ -22,7 +22,8 @@ inline void require(bool holds, const std::string& message) {
 }
 
 /// Whether `function` succeeds. It may fail with any Error that is not internal; everything else
-/// that it throws ends the process, because nobody catches it.
+/// that it throws ends the process, because nobody catches it. With HEXWALL_FUZZ_REASONS in the
+/// environment it tells why it failed.
 template <typename Function>
 bool succeeds(const Function& function) {
   try {
@@ -31,6 +32,9 @@ bool succeeds(const Function& function) {
   } catch (const Error& error) {
     require(error.code() != ExitCode::internal, std::string("internal error: ") + error.what());
     require(*error.what() != '\0', "an error without a message");
+    if (std::getenv("HEXWALL_FUZZ_REASONS") != nullptr) {
+      std::fprintf(stderr, "refused: %s\n", error.what());
+    }
     return false;
   }
 }

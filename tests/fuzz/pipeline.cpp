@@ -54,7 +54,9 @@ void require_valid_quads(const PipelineResult& r) {
   require(verdict.faults.none(), "quads: " + verdict.faults.text());
   const int loops = static_cast<int>(r.openings.size());
   require(verdict.components == 1, "the quads fall apart");
-  require(verdict.boundary_loops == loops, "the quads have other openings than the surface");
+  require(verdict.boundary_loops == loops,
+          "the quads have " + std::to_string(verdict.boundary_loops) +
+              " openings, the surface has " + std::to_string(loops));
   require(verdict.euler_number == 2 - loops, "the quads have handles");
 }
 
