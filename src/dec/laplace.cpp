@@ -30,6 +30,8 @@ void LaplaceSolver::Implementation::assemble(const Connectivity& mesh,
     free_vertices.push_back(v);
   }
   const int size = static_cast<int>(free_vertices.size());
+  coupling.resize(size, mesh.vertex_count());
+  if (size == 0) return;  // CHOLMOD takes no empty matrices
   std::vector<Eigen::Triplet<double>> inner;
   std::vector<Eigen::Triplet<double>> outer;
   inner.reserve(3 * mesh.edge_count());
@@ -49,7 +51,6 @@ void LaplaceSolver::Implementation::assemble(const Connectivity& mesh,
   }
   Matrix matrix(size, size);
   matrix.setFromTriplets(inner.begin(), inner.end());
-  coupling.resize(size, mesh.vertex_count());
   coupling.setFromTriplets(outer.begin(), outer.end());
   factor.cholmod().print = 0;  // failures are thrown, not printed
   factor.compute(matrix);
@@ -72,6 +73,7 @@ LaplaceSolver& LaplaceSolver::operator=(LaplaceSolver&&) noexcept = default;
 Eigen::MatrixXd LaplaceSolver::solve(const Eigen::MatrixXd& rhs,
                                      const Eigen::MatrixXd& boundary) const {
   const Implementation& s = *implementation_;
+  if (s.free_vertices.empty()) return boundary;
   Eigen::MatrixXd reduced = s.coupling * boundary;
   const int size = static_cast<int>(s.free_vertices.size());
   for (int i = 0; i < size; ++i) reduced.row(i) += rhs.row(s.free_vertices[i]);
@@ -82,6 +84,7 @@ Eigen::MatrixXd LaplaceSolver::solve(const Eigen::MatrixXd& rhs,
 }
 
 long LaplaceSolver::factor_nonzeros() const {
+  if (implementation_->free_vertices.empty()) return 0;
   return static_cast<long>(implementation_->factor.cholmod().lnz);
 }
 

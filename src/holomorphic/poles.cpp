@@ -174,6 +174,7 @@ class Judge {
     const auto energy =
         area_energy({s_.refined.surface, faces, static_cast<int>(rho_.size()), g, rho_});
     const Descent best = best_descent(*energy);
+    // Where the neighbourhood left out is all of the surface, there is no energy to descend.
     Judgement judgement{vertices, best.energy, {}};
     for (Eigen::Index i = g_.cols(); i < best.lambda.size(); ++i) {
       judgement.circumferences.push_back(std::abs(best.lambda[i]));
@@ -307,6 +308,7 @@ std::vector<std::vector<int>> one_by_one(const std::vector<int>& vertices) {
 // the next best ones of the sample.
 std::vector<Judgement> best_places(const FormProblem& problem, const FormSolution& s,
                                    const BlindRegion& region, int candidates) {
+  if (region.vertices.empty()) return {};  // every vertex lies on an opening
   const Judge judge(problem, s, region.radius);
   const std::vector<Vec3>& points = s.refined.surface.points;
   const Sample sample = farthest_points(points, region.vertices, region.vertices[0], candidates);
@@ -331,6 +333,7 @@ std::vector<Judgement> best_places(const FormProblem& problem, const FormSolutio
 // energy most: what a sac on a narrow neck needs, whose own flux cannot come through the neck.
 std::vector<Judgement> best_pairs(const FormProblem& problem, const FormSolution& s,
                                   const BlindRegion& region, int candidates) {
+  if (region.vertices.empty()) return {};  // every vertex lies on an opening
   const std::vector<Vec3>& points = s.refined.surface.points;
   const std::vector<int> sample =
       farthest_points(points, region.vertices, region.vertices[0], candidates).vertices;
@@ -408,6 +411,10 @@ bool add_poles(const FormProblem& problem, const Judgement& judgement, const Pol
   const FormSolution& s = result.solution;
   const auto count = static_cast<int>(judgement.vertices.size());
   const double least_gain = 1.0 - std::pow(1.0 - options.least_gain, count);
+  if (judgement.circumferences.empty() ||
+      *std::min_element(judgement.circumferences.begin(), judgement.circumferences.end()) <= 0.0) {
+    return false;
+  }
   if (options.only_if_worthwhile &&
       judgement.energy > (1.0 - promising_gain * least_gain) * s.optimum.energy) {
     return false;
@@ -481,15 +488,16 @@ PoleResult place_poles_at(const FormProblem& problem, FormSolution start,
     const FormSolution& s = result.solution;
     const BlindRegion region = whole_surface(s);
     const std::vector<Vec3>& points = s.refined.surface.points;
-    const int vertex =
-        *std::min_element(region.vertices.begin(), region.vertices.end(), [&](int a, int b) {
+    const auto nearest =
+        std::min_element(region.vertices.begin(), region.vertices.end(), [&](int a, int b) {
           return (points[a] - place).squaredNorm() < (points[b] - place).squaredNorm();
         });
-    check_near(place, points[vertex], problem.surface);
     const Judge judge(problem, s, region.radius);
     PoleOptions options;
     options.only_if_worthwhile = false;
-    if (add_poles(problem, judge.judge({{vertex}})[0], options, result)) continue;
+    const bool is_inside = nearest != region.vertices.end();
+    if (is_inside) check_near(place, points[*nearest], problem.surface);
+    if (is_inside && add_poles(problem, judge.judge({{*nearest}})[0], options, result)) continue;
     throw UsageError(fmt::format(
         "there is no room for a pole at ({:.6g}, {:.6g}, {:.6g}): it is too near an opening or "
         "another pole, or the surface is folded there",

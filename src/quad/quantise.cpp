@@ -11,6 +11,9 @@ constexpr double circumference_weight = 4.0;
 // A circle short of quads, or a pole that can't be closed, is worse than any rounding error.
 constexpr double shortage_weight = 1e3;
 constexpr int pole_multiple = 4;
+// Quads along an opening. A loop of half-zeros is the end of no cylinder, which has more; with two
+// its edges would be the same edge, and the opening closed.
+constexpr int fewest_along_loop = 3;
 
 double squared_error(int count, double target) {
   const double difference = count - target;
@@ -77,12 +80,14 @@ class StripRounding {
     for (const int loop : poles) is_pole_[loop] = true;
   }
 
-  // Quads around a loop beyond the last multiple of four.
-  int excess(int loop) const {
+  int along_loop(int loop) const {
     int sum = 0;
     for (const int s : strips_of_loop_[loop]) sum += across_[s];
-    return sum % pole_multiple;
+    return sum;
   }
+
+  // Quads around a loop beyond the last multiple of four.
+  int excess(int loop) const { return along_loop(loop) % pole_multiple; }
 
   // Takes the excess of a pole off the strips along a way to a loop that is no pole, in turns less
   // and more, so that the poles on the way keep their numbers.
@@ -106,8 +111,15 @@ class StripRounding {
     }
     int change = excess(pole) <= pole_multiple / 2 ? -excess(pole) : pole_multiple - excess(pole);
     for (auto strip = way.rbegin(); strip != way.rend(); ++strip, change = -change) {
-      shift(*strip, across_[*strip] + change >= 1 ? change : change + pole_multiple);
+      shift(*strip, can_shift(*strip, change) ? change : change + pole_multiple);
     }
+  }
+
+  bool can_shift(int strip, int change) const {
+    const std::vector<int>& loops = loops_of_strip_[strip];
+    return across_[strip] + change >= 1 && std::all_of(loops.begin(), loops.end(), [&](int loop) {
+             return is_pole_[loop] || along_loop(loop) + change >= fewest_along_loop;
+           });
   }
 
   int other_loop(int strip, int loop) const {
@@ -188,8 +200,11 @@ class StripRounding {
       sum += shortage_weight * missing * missing;
     }
     for (const int loop : loops_of_strip_[strip]) {
-      if (is_pole_[loop])
+      if (is_pole_[loop]) {
         sum += shortage_weight * std::min(excess(loop), pole_multiple - excess(loop));
+      }
+      const int missing = std::max(0, fewest_along_loop - along_loop(loop));
+      sum += shortage_weight * missing * missing;
     }
     return sum;
   }

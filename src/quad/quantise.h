@@ -24,7 +24,8 @@ struct Quantisation {
 };
 
 /// Rounds strip widths and numbers of rows: a local search over single and paired steps of +-1 on
-/// the sum of squared relative errors of the circumferences (weighted 4:1) and of the strips. What
+/// the sum of squared relative errors of the circumferences (weighted 4:1) and of the strips, with
+/// at least `fewest_around` quads around cylinders and 3 along openings. What
 /// poles still lack is then passed on along strips to a loop that is no pole, which always exists.
 Quantisation quantise(const Foliation& foliation, const std::vector<RowSpacing>& spacing,
                       const QuantiseOptions& options);

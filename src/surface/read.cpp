@@ -12,9 +12,10 @@
 
 #include "core/errors.h"
 #include "surface/polygon_soup.h"
+#include "surface/read_legacy_vtk.h"
 #include "surface/read_ply.h"
 #include "surface/read_text.h"
-#include "surface/read_vtk.h"
+#include "surface/read_vtp.h"
 
 namespace hexwall {
 namespace {
@@ -44,6 +45,14 @@ PolygonSoup read_ply(const fs::path& path) {
 
 PolygonSoup read_off(const fs::path& path) {
   return parse_off(content_of(path));
+}
+
+PolygonSoup read_vtp(const fs::path& path) {
+  return parse_vtp(content_of(path));
+}
+
+PolygonSoup read_legacy_vtk(const fs::path& path) {
+  return parse_legacy_vtk(content_of(path));
 }
 
 struct Format {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <charconv>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <set>
@@ -12,13 +12,15 @@
 #include <fmt/format.h>
 
 #include "core/errors.h"
+#include "surface/number_source.h"
 
 namespace hexwall {
 namespace {
 
 constexpr std::string_view blanks = " \t\r\n\v\f";
 
-enum class Scalar { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
+// More than any file holds, and still an integer.
+constexpr double longest_list = 1e15;
 
 struct Property {
   std::string_view name;
@@ -32,76 +34,9 @@ struct Element {
   std::vector<Property> properties;
 };
 
-enum class Encoding { text, little_endian, big_endian };
-
 struct Header {
   Encoding encoding = Encoding::text;
   std::vector<Element> elements;
-};
-
-/// The rest of a file, from which words, lines and numbers are taken.
-class Source {
- public:
-  explicit Source(std::string_view rest) : rest_(rest) {}
-
-  std::string_view line() {
-    if (rest_.empty()) throw ReadError("the file is truncated: it ends within its header");
-    const std::size_t end = std::min(rest_.find('\n'), rest_.size());
-    const std::string_view line = rest_.substr(0, end);
-    rest_.remove_prefix(std::min(end + 1, rest_.size()));
-    return line;
-  }
-
-  double number(Scalar type, Encoding encoding) {
-    switch (type) {
-      case Scalar::int8:
-        return take<std::int8_t>(encoding);
-      case Scalar::uint8:
-        return take<std::uint8_t>(encoding);
-      case Scalar::int16:
-        return take<std::int16_t>(encoding);
-      case Scalar::uint16:
-        return take<std::uint16_t>(encoding);
-      case Scalar::int32:
-        return take<std::int32_t>(encoding);
-      case Scalar::uint32:
-        return take<std::uint32_t>(encoding);
-      case Scalar::float32:
-        return take<float>(encoding);
-      case Scalar::float64:
-        return take<double>(encoding);
-    }
-    return 0.0;
-  }
-
- private:
-  template <typename Value>
-  double take(Encoding encoding) {
-    if (encoding == Encoding::text) return take_word();
-    std::array<char, sizeof(Value)> bytes;
-    if (rest_.size() < bytes.size()) throw ReadError("the file is truncated");
-    std::copy_n(rest_.begin(), bytes.size(), bytes.begin());
-    rest_.remove_prefix(bytes.size());
-    const bool is_native =
-        (encoding == Encoding::little_endian) == (std::endian::native == std::endian::little);
-    if (!is_native) std::reverse(bytes.begin(), bytes.end());
-    return static_cast<double>(std::bit_cast<Value>(bytes));
-  }
-
-  double take_word() {
-    rest_.remove_prefix(std::min(rest_.find_first_not_of(blanks), rest_.size()));
-    if (rest_.empty()) throw ReadError("the file is truncated");
-    const std::string_view word = rest_.substr(0, rest_.find_first_of(blanks));
-    rest_.remove_prefix(word.size());
-    double value = 0.0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (error != std::errc{} || end != word.data() + word.size()) {
-      throw ReadError(fmt::format("'{}' is not a number", word));
-    }
-    return value;
-  }
-
-  std::string_view rest_;
 };
 
 std::vector<std::string_view> words_of(std::string_view line) {
@@ -156,12 +91,13 @@ Property property_of(const std::vector<std::string_view>& words, std::string_vie
   return {words[2], scalar_of(words[1], line), std::nullopt};
 }
 
-Header parse_header(Source& source) {
+Header parse_header(NumberSource& source) {
   if (words_of(source.line()) != std::vector<std::string_view>{"ply"}) {
     throw ReadError("the file does not begin with 'ply'");
   }
   Header header;
   while (true) {
+    if (source.is_empty()) throw ReadError("the file is truncated: it ends within its header");
     const std::string_view line = source.line();
     const auto words = words_of(line);
     if (words.empty() || words[0] == "comment" || words[0] == "obj_info") continue;
@@ -197,14 +133,15 @@ Role role_of(const Element& element, const Property& property) {
   return Role::array;
 }
 
-void read_list(Source& source, const Property& property, Encoding encoding,
+void read_list(NumberSource& source, const Property& property, Encoding encoding,
                std::vector<int>* corners) {
-  const auto count = static_cast<std::int64_t>(source.number(*property.count_type, encoding));
-  for (std::int64_t i = 0; i < count; ++i) {
+  const double count = source.number(*property.count_type, encoding);
+  if (!(count >= 0.0) || count != std::floor(count)) {
+    throw ReadError(fmt::format("a list of {} values", count));
+  }
+  for (auto left = static_cast<std::int64_t>(std::min(count, longest_list)); left > 0; --left) {
     const double value = source.number(property.type, encoding);
-    // Beyond int there are no points either: -1 is refused as out of range.
-    const bool is_index = value >= 0.0 && value < 2147483647.0;
-    if (corners != nullptr) corners->push_back(is_index ? static_cast<int>(value) : -1);
+    if (corners != nullptr) corners->push_back(index_of(value));
   }
 }
 
@@ -219,7 +156,7 @@ void add_arrays(const Element& element, PolygonSoup& soup) {
   }
 }
 
-void read_row(Source& source, const Element& element, Encoding encoding, PolygonSoup& soup) {
+void read_row(NumberSource& source, const Element& element, Encoding encoding, PolygonSoup& soup) {
   if (element.name == "vertex") soup.points.push_back(Vec3::Zero());
   if (element.name == "face") soup.polygons.emplace_back();
   auto array = arrays_of(element, soup).begin();
@@ -239,7 +176,7 @@ void read_row(Source& source, const Element& element, Encoding encoding, Polygon
 }
 
 void check_elements(const Header& header) {
-  std::array<bool, 6> found{};
+  std::array<int, 6> found{};
   std::set<std::string_view> names;
   for (const Element& element : header.elements) {
     if (!names.insert(element.name).second) {
@@ -247,20 +184,26 @@ void check_elements(const Header& header) {
     }
     if (element.name == "tristrips") throw ReadError("triangle strips in PLY cannot be read");
     for (const Property& p : element.properties) {
-      found[static_cast<std::size_t>(role_of(element, p))] = true;
+      const Role role = role_of(element, p);
+      const bool may_repeat = role == Role::skipped || role == Role::array;
+      if (++found[static_cast<std::size_t>(role)] == 1 || may_repeat) continue;
+      throw ReadError(fmt::format("the property '{}' is announced twice", p.name));
     }
   }
   for (const Role role : {Role::x, Role::y, Role::z}) {
-    if (!found[static_cast<std::size_t>(role)]) throw ReadError("its vertices have no x, y and z");
+    if (found[static_cast<std::size_t>(role)] == 0) {
+      throw ReadError("its vertices have no x, y and z");
+    }
   }
-  if (!found[static_cast<std::size_t>(Role::corners)])
+  if (found[static_cast<std::size_t>(Role::corners)] == 0) {
     throw ReadError("the file holds no triangles");
+  }
 }
 
 }  // namespace
 
 PolygonSoup parse_ply(const std::string& content) {
-  Source source(content);
+  NumberSource source(content);
   const Header header = parse_header(source);
   check_elements(header);
   PolygonSoup soup;

@@ -20,6 +20,10 @@ constexpr double poor_quality = 0.1;
 constexpr double greatest_poor_share = 0.1;
 
 constexpr double greatest_triangle_count = 1e7;
+// Unasked for, no surface is remeshed that would take so many times its triangles and edges: some
+// of them are so far out of proportion (a spike) that no mesh of even size is what the user wants,
+// or could wait for.
+constexpr double greatest_growth = 30.0;
 
 // Smoothing of self-intersections: rounds, and steps in each of them. The neighbourhood grows by a
 // ring of triangles every second round.
@@ -67,6 +71,14 @@ void check_edge(const TriangleSurface& surface, double edge) {
       "remeshing with the edge length {:g} would take more than 10 million triangles; ask for a "
       "longer one",
       edge));
+}
+
+/// The pieces of the length `edge`, or the size of such a triangle, into which remeshing has to cut
+/// a triangle's side, or the triangle, in the mean.
+double pieces(const TriangleSurface& surface, double edge) {
+  const double of_side = mean_edge_length(surface) / edge;
+  const auto count = static_cast<double>(surface.triangles.size());
+  return std::max(of_side, total_area(surface) / (equilateral_area(edge) * count));
 }
 
 /// Smooths the surroundings of self-intersections.
@@ -147,6 +159,7 @@ Outcome remesh_hopeless(State& state, const double* edge, double tolerance) {
   const bool is_hopeless = share > greatest_poor_share;
   if (!all_have_area(state.surface) || (edge == nullptr && !is_hopeless)) return {};
   const double length = edge != nullptr ? *edge : default_edge(state.surface);
+  if (edge == nullptr && !(pieces(state.surface, length) <= greatest_growth)) return {};
   TriangleSurface remeshed = remesh(state.surface, length);
   const double moved = surface_distance(state.surface, remeshed);
   if (!(moved <= tolerance)) {

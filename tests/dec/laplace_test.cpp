@@ -79,6 +79,15 @@ TEST(LaplaceSolver, SolvesTheNeumannProblemWithOneVertexFixed) {
   EXPECT_LT(residual.cwiseAbs().maxCoeff(), 1e-10);
 }
 
+TEST(LaplaceSolver, GivesTheBoundaryBackWhereNothingIsFree) {
+  const PlanarMesh plane;
+  const int count = plane.mesh.vertex_count();
+  const LaplaceSolver solver(plane.mesh, plane.star, std::vector<bool>(count, true));
+  const Eigen::MatrixXd boundary = Eigen::MatrixXd::Ones(count, 2);
+  EXPECT_EQ(solver.solve(Eigen::MatrixXd::Zero(count, 2), boundary), boundary);
+  EXPECT_EQ(solver.factor_nonzeros(), 0);
+}
+
 TEST(LaplaceSolver, RefusesWeightsThatAreNotPositive) {
   const PlanarMesh plane;
   test::expect_error(ExitCode::internal, {"not positive definite"},

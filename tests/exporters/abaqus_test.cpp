@@ -169,12 +169,13 @@ TEST(Abaqus, HasNothingButTheMesh) {
   mesh.patches.push_back({"nothing", false, {}});
   mesh.zones.push_back({"nothing", {}});
   write_abaqus(folder / "a.inp", mesh, {"C3D8R"});
-  EXPECT_THAT(keywords(read_deck(folder / "a.inp")),
-              ElementsAre("*NODE", "*ELEMENT,TYPE=C3D8R,ELSET=layer_0", "*NSET,NSET=inner_wall",
-                          "*SURFACE,NAME=inner_wall,TYPE=ELEMENT", "*NSET,NSET=outer_wall",
-                          "*SURFACE,NAME=outer_wall,TYPE=ELEMENT", "*NSET,NSET=loop_0",
-                          "*SURFACE,NAME=loop_0,TYPE=ELEMENT", "*NSET,NSET=loop_1",
-                          "*SURFACE,NAME=loop_1,TYPE=ELEMENT"));
+  EXPECT_THAT(
+      keywords(read_deck(folder / "a.inp")),
+      ElementsAre("*NODE", "*ELEMENT,TYPE=C3D8R,ELSET=layer_0", "*ELSET,ELSET=wall,GENERATE",
+                  "*NSET,NSET=inner_wall", "*SURFACE,NAME=inner_wall,TYPE=ELEMENT",
+                  "*NSET,NSET=outer_wall", "*SURFACE,NAME=outer_wall,TYPE=ELEMENT",
+                  "*NSET,NSET=loop_0", "*SURFACE,NAME=loop_0,TYPE=ELEMENT", "*NSET,NSET=loop_1",
+                  "*SURFACE,NAME=loop_1,TYPE=ELEMENT"));
 }
 
 TEST(Abaqus, NamesBecomeLabels) {

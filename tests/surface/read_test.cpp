@@ -180,10 +180,13 @@ TEST(ReadSurface, RefusesBadPly) {
   expect_read_error("a.ply", changed("property float x", "property x"), {"property x"});
   expect_read_error("a.ply", changed("comment", "remark"), {"remark"});
   expect_read_error("a.ply", changed("float z", "float w"), {"x, y and z"});
+  expect_read_error("a.ply", changed("float z", "float x"), {"'x'", "twice"});
   expect_read_error("a.ply", changed("vertex_index", "edges"), {"no triangles"});
   expect_read_error("a.ply", changed("element face", "element tristrips"), {"strips"});
   expect_read_error("a.ply", ply_header + "0 0 zero 1\n", {"'zero'", "'vertex' number 1 of 4"});
   expect_read_error("a.ply", ply_header + "0 0 0 1\n0 0\n", {"truncated", "number 2 of 4"});
+  const std::string points = "0 0 0 1\n1 0 0 1\n1 1 0 1\n0 1 0 1\n";
+  expect_read_error("a.ply", ply_header + points + "nan 0 1 2\n", {"a list of nan values"});
 }
 
 // --- formats ------------------------------------------------------------------------------------
