@@ -210,6 +210,9 @@ int separate_fans(State& state, std::vector<Vec3>& places) {
   return static_cast<int>(copy_of_fan.size());
 }
 
+// Of the area: a component with less is not the vessel, of which others are debris.
+constexpr double least_kept = 0.5;
+
 [[noreturn]] void refuse_components(const State& state, Sets& sets, const std::vector<int>& roots,
                                     const std::vector<double>& areas) {
   const double total = total_area(state.surface);
@@ -222,10 +225,12 @@ int separate_fans(State& state, std::vector<Vec3>& places) {
                         sizes[roots[i]], 100.0 * areas[roots[i]] / total,
                         coordinates(centroid(state.surface, roots[i])));
   }
-  throw TopologyError(
-      fmt::format("the surface has {} connected components: {}{}. Keep only the vessel and delete "
-                  "the rest",
-                  roots.size(), list, roots.size() > shown ? "; and more" : ""));
+  const bool has_vessel = areas[roots[0]] >= least_kept * total;
+  throw TopologyError(fmt::format(
+      "the surface has {} connected components: {}{}. {}", roots.size(), list,
+      roots.size() > shown ? "; and more" : "",
+      has_vessel ? "Keep only the vessel and delete the rest"
+                 : "None of them is the vessel: weld them together or keep only the vessel"));
 }
 
 }  // namespace
@@ -285,7 +290,8 @@ Outcome keep_largest_component(State& state, double small) {
   if (roots.size() <= 1) return {};
   const std::vector<double> areas = areas_of(state, sets);
   std::stable_sort(roots.begin(), roots.end(), [&](int l, int r) { return areas[l] > areas[r]; });
-  if (areas[roots[1]] >= small * total_area(state.surface)) {
+  const double total = total_area(state.surface);
+  if (areas[roots[1]] >= small * total || areas[roots[0]] < least_kept * total) {
     refuse_components(state, sets, roots, areas);
   }
   Outcome outcome;
