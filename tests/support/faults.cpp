@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include <Eigen/Geometry>
 
@@ -12,8 +11,6 @@
 
 namespace hexwall::test {
 namespace {
-
-using std::numbers::pi;
 
 constexpr int around = 48;
 constexpr int along = 24;

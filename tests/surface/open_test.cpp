@@ -38,9 +38,8 @@ struct LabelledTube {
     const std::size_t wall_count = tube().triangles.size();
     const std::size_t cap_count = (surface.triangles.size() - wall_count) / 2;
     for (std::size_t f = 0; f < surface.triangles.size(); ++f) {
-      array.values.push_back(
-          f < wall_count ? wall
-                         : 1.0 + std::floor(static_cast<double>((f - wall_count) / cap_count)));
+      const std::size_t cap = f < wall_count ? 0 : 1 + (f - wall_count) / cap_count;
+      array.values.push_back(cap == 0 ? wall : static_cast<double>(cap));
     }
   }
 };
@@ -274,7 +273,8 @@ TEST(OpenSurface, TakesNoBulgingOrOpenRegionForACap) {
   TriangleSurface open = tube();
   SurfaceArray bands{"ModelFaceID", 1, {}};
   for (std::size_t f = 0; f < open.triangles.size(); ++f) {
-    bands.values.push_back(static_cast<double>(f / 96));
+    const std::size_t band = f / 96;
+    bands.values.push_back(static_cast<double>(band));
   }
   EXPECT_TRUE(open_surface(open, {bands}, {}).caps.empty());
 }
