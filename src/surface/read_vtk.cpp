@@ -13,6 +13,7 @@
 #include <vtkXMLPolyDataReader.h>
 
 #include "core/errors.h"
+#include "surface/counted.h"
 #include "surface/vtk_messages.h"
 
 namespace hexwall {
@@ -73,10 +74,12 @@ struct Ignored {
 
 void note_ignored(const Ignored& ignored, std::vector<std::string>& notes) {
   if (ignored.lower > 0) {
-    notes.push_back(fmt::format("{} vertex and line cells were ignored", ignored.lower));
+    notes.push_back(counted(ignored.lower, "vertex or line cell was ignored",
+                            "vertex and line cells were ignored"));
   }
   if (ignored.higher > 0) {
-    notes.push_back(fmt::format("{} volume or curved cells were ignored", ignored.higher));
+    notes.push_back(counted(ignored.higher, "volume or curved cell was ignored",
+                            "volume or curved cells were ignored"));
   }
 }
 

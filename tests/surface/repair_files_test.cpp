@@ -116,7 +116,7 @@ TEST(RepairOfCarotid, GivesTheSurfaceThatWasRepairedByHand) {
 TEST(RepairOfPhantom, LeavesItToBeRefused) {
   const auto surface = test::load_surface("matteo_AAA_phantom.stl");
   if (!surface) GTEST_SKIP() << "the file is not on this machine";
-  expect_error(ExitCode::topology, {"1 edges have more than two triangles", "has 4"},
+  expect_error(ExitCode::topology, {"1 edge has more than two triangles", "has 4"},
                [&] { check_surface(repaired(*surface).geometry.surface); });
 }
 
