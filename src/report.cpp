@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "surface/counted.h"
 #include "surface/triangle_surface.h"
 
 namespace hexwall {
@@ -276,10 +277,11 @@ std::string summary(const PipelineResult& r, const std::string& units) {
   };
   line("surface", fmt::format("{} vertices, {} triangles, {} openings", r.surface.points.size(),
                               r.surface.triangles.size(), r.openings.size()));
-  line("form", fmt::format("energy {:.4f}, basis error {:.1e}, {} zeros, {} cylinders, {} strips",
+  line("form", fmt::format("energy {:.4f}, basis error {:.1e}, zeros of order {} in all, {}, {}",
                            r.solution.optimum.energy, r.solution.basis.error,
-                           0.5 * r.foliation.doubled_order(), r.foliation.cylinders.size(),
-                           r.foliation.strips.count()));
+                           0.5 * r.foliation.doubled_order(),
+                           counted(r.foliation.cylinders.size(), "cylinder"),
+                           counted(r.foliation.strips.count(), "strip")));
   for (const PoleStep& pole : r.poles) {
     const Vec3& at = pole.disk.center.position;
     line("pole", fmt::format("at ({:.4g}, {:.4g}, {:.4g}): area more than 2x off in size {:.1f} % "
@@ -287,10 +289,12 @@ std::string summary(const PipelineResult& r, const std::string& units) {
                              at.x(), at.y(), at.z(), 100.0 * pole.off_share_before,
                              100.0 * pole.off_share_after, pole.energy_before, pole.energy_after));
   }
-  line("quads", fmt::format("{}, {} irregular vertices, corner angles 90 +- {:.2f} deg, "
-                            "min scaled Jacobian {:.3f}",
-                            r.quads.quads.size(), r.quad_quality.irregular,
-                            r.quad_quality.angle_stddev_deg, r.quad_quality.min_scaled_jacobian));
+  line("quads",
+       fmt::format("{}, {}, corner angles 90 +- {:.2f} deg, "
+                   "min scaled Jacobian {:.3f}",
+                   r.quads.quads.size(),
+                   counted(r.quad_quality.irregular, "irregular vertex", "irregular vertices"),
+                   r.quad_quality.angle_stddev_deg, r.quad_quality.min_scaled_jacobian));
   line("hexes", fmt::format("{} in {} layers, min scaled Jacobian {:.3f}", r.wall.hexes.size(),
                             r.layers.layers(), r.min_wall_scaled_jacobian));
   if (r.outward) line("wall", side_text(*r.outward, units));

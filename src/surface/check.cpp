@@ -11,6 +11,7 @@
 
 #include "core/errors.h"
 #include "surface/connectivity.h"
+#include "surface/counted.h"
 #include "surface/edge_uses.h"
 #include "surface/handles.h"
 #include "surface/orient.h"
@@ -71,12 +72,13 @@ void check_finite(const TriangleSurface& surface, Problems& problems) {
     bad.add(surface.points[v], [&] { return vertex_place(surface, v); });
   }
   if (bad.count() == 0) return;
-  problems.push_back({"not_finite",
-                      ExitCode::geometry,
-                      fmt::format("{} vertices have coordinates that are not finite (NaN or "
-                                  "infinite): {}. Export the surface again without them",
-                                  bad.count(), bad.examples()),
-                      {}});
+  problems.push_back(
+      {"not_finite",
+       ExitCode::geometry,
+       fmt::format("{} coordinates that are not finite (NaN or "
+                   "infinite): {}. Export the surface again without them",
+                   counted(bad.count(), "vertex has", "vertices have"), bad.examples()),
+       {}});
 }
 
 bool has_repeated_vertex(const std::array<int, 3>& t) {
@@ -97,15 +99,17 @@ void check_triangles(const TriangleSurface& surface, Problems& problems) {
       "Collapse their shortest edges or remesh the surface before meshing the wall";
   if (repeated.count() > 0) {
     problems.push_back({"degenerate", ExitCode::geometry,
-                        fmt::format("{} triangles use a vertex twice and have no area: {}. {}",
-                                    repeated.count(), repeated.examples(), advice),
+                        fmt::format("{} a vertex twice, without area: {}. {}",
+                                    counted(repeated.count(), "triangle uses", "triangles use"),
+                                    repeated.examples(), advice),
                         repeated.all()});
   }
   if (flat.count() > 0) {
-    problems.push_back(
-        {"degenerate", ExitCode::geometry,
-         fmt::format("{} triangles have zero area: {}. {}", flat.count(), flat.examples(), advice),
-         flat.all()});
+    problems.push_back({"degenerate", ExitCode::geometry,
+                        fmt::format("{} zero area: {}. {}",
+                                    counted(flat.count(), "triangle has", "triangles have"),
+                                    flat.examples(), advice),
+                        flat.all()});
   }
 }
 
@@ -172,9 +176,9 @@ void check_edges(const TriangleSurface& surface, Problems& problems) {
   if (bad.count() == 0) return;
   problems.push_back(
       {"nonmanifold_edges", ExitCode::topology,
-       fmt::format("the surface is not manifold: {} edges have more than two "
+       fmt::format("the surface is not manifold: {} more than two "
                    "triangles: {}. Delete the inner walls or doubled triangles there",
-                   bad.count(), bad.examples()),
+                   counted(bad.count(), "edge has", "edges have"), bad.examples()),
        bad.all()});
 }
 
@@ -214,10 +218,9 @@ void check_vertices(const TriangleSurface& surface, Problems& problems) {
   if (bad.count() == 0) return;
   problems.push_back(
       {"nonmanifold_vertices", ExitCode::topology,
-       fmt::format(
-           "the surface is not manifold: at {} vertices two or more parts touch in a single "
-           "point: {}. Separate the parts there or delete the smaller one",
-           bad.count(), bad.examples()),
+       fmt::format("the surface is not manifold: at {} two or more parts touch in a single "
+                   "point: {}. Separate the parts there or delete the smaller one",
+                   counted(bad.count(), "vertex", "vertices"), bad.examples()),
        bad.all()});
 }
 
@@ -260,10 +263,11 @@ void check_genus(const Connectivity& mesh, const TriangleSurface& surface, Probl
   for (const Vec3& p : line) middle += p / static_cast<double>(line.size());
   problems.push_back(
       {"genus", ExitCode::topology,
-       fmt::format("the surface has genus {0}: it has {0} handles, as where two branches fuse or "
-                   "touch, one of them near {1}. Only spheres with holes (genus 0) can be meshed; "
+       fmt::format("the surface has genus {}: it has {}, as where two branches fuse or "
+                   "touch, {} near {}. Only spheres with holes (genus 0) can be meshed; "
                    "cut the handles open and close the cuts",
-                   genus, coordinates(middle)),
+                   genus, counted(genus, "handle"), genus == 1 ? "here" : "one of them",
+                   coordinates(middle)),
        std::move(line)});
 }
 
@@ -278,9 +282,11 @@ void check_self_intersections(const TriangleSurface& surface, Problems& problems
   }
   problems.push_back(
       {"self_intersections", ExitCode::geometry,
-       fmt::format("the surface has a self-intersection: {} pairs of triangles cross "
-                   "or touch: {}. Smooth or remesh the surface there",
-                   bad.count(), bad.examples()),
+       fmt::format(
+           "the surface has a self-intersection: {}: {}. Smooth or remesh the surface there",
+           counted(bad.count(), "pair of triangles crosses or touches",
+                   "pairs of triangles cross or touch"),
+           bad.examples()),
        bad.all()});
 }
 
@@ -289,8 +295,8 @@ void note_winding(CheckResult& result) {
   if (result.flipped == static_cast<int>(result.surface.triangles.size())) {
     result.notes.emplace_back("all triangles were wound inward and were turned");
   } else {
-    result.notes.push_back(
-        fmt::format("{} triangles had the wrong winding and were turned", result.flipped));
+    result.notes.push_back(counted(result.flipped, "triangle had the wrong winding and was turned",
+                                   "triangles had the wrong winding and were turned"));
   }
 }
 

@@ -15,6 +15,7 @@
 #include <fmt/format.h>
 
 #include "core/errors.h"
+#include "surface/loop_shape.h"
 #include "surface/projector.h"
 #include "surface/regions.h"
 
@@ -27,6 +28,8 @@ constexpr double sliding_distance = 1.0 / 6.0;
 constexpr double rounding_distance = 1e-6;
 // A slide may shrink the triangles around it to this fraction of their area, but never flip them.
 constexpr double least_area_left = 0.3;
+// Of the section's radius: a point further off is not meant for that branch.
+constexpr double farthest_point = 3.0;
 
 [[noreturn]] void refuse(const CutPlane& plane, const std::string& reason) {
   throw GeometryError(fmt::format(
@@ -154,6 +157,13 @@ Section choose(const std::vector<Section>& sections, const CutPlane& plane) {
            "does not go all around the vessel: its section runs into a boundary or a non-manifold "
            "edge. Move it away from there");
   }
+  const double radius = loop_shape(best->points).radius;
+  const double off = distance(*best, plane.point);
+  if (!plane.radius && off > farthest_point * radius) {
+    refuse(plane, fmt::format("is {:.4g} away from the nearest section, which has a radius of "
+                              "{:.3g}. Move its point to that section, or give it a radius",
+                              off, radius));
+  }
   return *best;
 }
 
@@ -205,19 +215,16 @@ class Cutter {
   std::vector<Slide> possible_slides(double sliding) const {
     std::map<int, Slide> shortest;
     for (const int f : section_.triangles) {
-      for (int k = 0; k < 3; ++k) {
-        for (const int j : {1, 2}) {
-          const int a = surface_.triangles[f][k];
-          const int b = surface_.triangles[f][(k + j) % 3];
-          if (side_.at(a) == side_.at(b)) continue;
-          const double ha = std::abs(height(plane_, surface_.points[a]));
-          const double fraction = ha / (ha + std::abs(height(plane_, surface_.points[b])));
-          const auto it = shortest.find(a);
-          if (fraction > sliding || (it != shortest.end() && it->second.fraction <= fraction)) {
-            continue;
-          }
-          shortest.insert_or_assign(a, Slide{fraction, a, crossing(a, b)});
-        }
+      for (int side = 0; side < 6; ++side) {  // from each corner to both others
+        const int a = surface_.triangles[f][side / 2];
+        const int b = surface_.triangles[f][(side / 2 + side % 2 + 1) % 3];
+        if (side_.at(a) == side_.at(b)) continue;
+        const double ha = std::abs(height(plane_, surface_.points[a]));
+        const double fraction = ha / (ha + std::abs(height(plane_, surface_.points[b])));
+        const auto it = shortest.find(a);
+        const bool is_longer = it != shortest.end() && it->second.fraction <= fraction;
+        if (fraction > sliding || is_longer) continue;
+        shortest.insert_or_assign(a, Slide{fraction, a, crossing(a, b)});
       }
     }
     std::vector<Slide> slides;
@@ -354,10 +361,11 @@ class Cutter {
         if (g >= 0) reach(g);
       }
     }
-    for (std::size_t i = 0; i < upper.size(); ++i) {
+    for (std::size_t next = 0; next < upper.size();) {
+      const int f = upper[next++];
       for (int k = 0; k < 3; ++k) {
-        const int g = neighbours[upper[i]][k];
-        const auto& t = triangles_[upper[i]];
+        const int g = neighbours[f][k];
+        const auto& t = triangles_[f];
         if (g < 0 || (is_lower_[g] && is_on_plane(t[k]) && is_on_plane(t[(k + 1) % 3]))) continue;
         reach(g);
       }

@@ -20,9 +20,9 @@ struct ClipResult {
 /// the nearest of all if none is around it; given a radius, only sections within it count. Where
 /// the plane passes close to a vertex, the vertex slides along an edge onto the plane, by less than
 /// 1/6 of that edge, so that no slivers arise.
-/// \throws GeometryError, naming the plane, if it misses the surface, the section runs into a
-/// boundary or an edge with more than two triangles, or cutting along it does not divide the
-/// surface.
+/// \throws GeometryError, naming the plane, if it misses the surface, the plane's point is farther
+/// from the section than 3 of its radii and no radius is given, the section runs into a boundary or
+/// an edge with more than two triangles, or cutting along it does not divide the surface.
 ClipResult clip(const TriangleSurface& surface, const CutPlane& plane);
 
 }  // namespace hexwall

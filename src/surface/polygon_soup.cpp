@@ -11,6 +11,7 @@
 #include <vtkPolygon.h>
 
 #include "core/errors.h"
+#include "surface/counted.h"
 #include "surface/edge_uses.h"
 #include "surface/point_bits.h"
 
@@ -88,9 +89,9 @@ void close_slits(TriangleSurface& surface, std::vector<std::string>& notes) {
   for (auto& t : surface.triangles) {
     for (int& v : t) v = merged[v];
   }
-  notes.push_back(fmt::format(
-      "{} boundary points that repeat another one were merged with it, which closed a slit",
-      count));
+  notes.push_back(counted(
+      count, "boundary point that repeats another one was merged with it, which closed a slit",
+      "boundary points that repeat another one were merged with it, which closed a slit"));
 }
 
 /// Returns how many there were. `origin` follows the points.
@@ -160,15 +161,18 @@ TriangulateResult triangulate(PolygonSoup& soup) {
   }
   if (surface.triangles.empty()) throw ReadError("the file holds no triangles");
   if (quads > 0) {
-    soup.notes.push_back(fmt::format("{} quads were split on their shorter diagonals", quads));
+    soup.notes.push_back(counted(quads, "quad was split on its shorter diagonal",
+                                 "quads were split on their shorter diagonals"));
   }
   if (polygons > 0) {
-    soup.notes.push_back(fmt::format("{} polygons were split into triangles", polygons));
+    soup.notes.push_back(counted(polygons, "polygon was split into triangles",
+                                 "polygons were split into triangles"));
   }
   result.point_origin.resize(surface.points.size());
   std::iota(result.point_origin.begin(), result.point_origin.end(), 0);
   if (const std::size_t unused = drop_unused_points(surface, result.point_origin); unused > 0) {
-    soup.notes.push_back(fmt::format("{} points that no triangle uses were left out", unused));
+    soup.notes.push_back(counted(unused, "point that no triangle uses was left out",
+                                 "points that no triangle uses were left out"));
   }
   close_slits(surface, soup.notes);
   drop_unused_points(surface, result.point_origin);

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "core/errors.h"
+#include "surface/counted.h"
 
 namespace hexwall {
 namespace {
@@ -203,7 +204,8 @@ PolygonSoup parse_obj(const std::string& content) {
     }
   }
   if (ignored > 0) {
-    soup.notes.push_back(fmt::format("{} line and point elements were ignored", ignored));
+    soup.notes.push_back(counted(ignored, "line or point element was ignored",
+                                 "line and point elements were ignored"));
   }
   return soup;
 }

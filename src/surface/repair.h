@@ -79,8 +79,8 @@ struct RepairResult {
 /// points, so that each triangle of the result has an origin. A surface without faults comes out
 /// bit for bit as it is, and so does one with coordinates that are not finite. What cannot be
 /// repaired without guessing is left for `check_surface` to refuse. \pre each index lies in [0,
-/// #V). \throws TopologyError if a component other than the largest is not small; UsageError for
-/// options out of range. Cost: O(#F log #F).
+/// #V). \throws TopologyError if a component other than the largest is not small, or the largest
+/// has less than half of the area; UsageError for options out of range. Cost: O(#F log #F).
 RepairResult repair_topology(const TriangleSurface& surface, const RepairOptions& options = {});
 
 /// The steps from `pinholes` to `intersections`, which change the shape by no more than the

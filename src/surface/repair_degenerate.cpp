@@ -3,8 +3,7 @@
 #include <deque>
 #include <numeric>
 
-#include <fmt/format.h>
-
+#include "surface/counted.h"
 #include "surface/repair_steps.h"
 #include "surface/surface_editor.h"
 
@@ -125,7 +124,8 @@ Outcome remove_degenerate(State& state, double distance) {
     const std::vector<Vec3> more = Cleaner(state, distance).run(flat);
     places.insert(places.end(), more.begin(), more.end());
   }
-  return {places, fmt::format("{} triangles without area were taken out", places.size())};
+  return {places, counted(places.size(), "triangle without area was taken out",
+                          "triangles without area were taken out")};
 }
 
 }  // namespace hexwall::repair

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "surface/connectivity.h"
+#include "surface/counted.h"
 #include "surface/repair_steps.h"
 
 namespace hexwall::repair {
@@ -167,8 +168,9 @@ Outcome fill_pinholes(State& state, const double* length) {
     added += static_cast<int>(patch->size());
     outcome.places.push_back(center_of(state.surface.points, loop));
   }
-  outcome.text =
-      fmt::format("{} small holes were filled with {} triangles", outcome.places.size(), added);
+  outcome.text = fmt::format("{} filled with {}",
+                             counted(outcome.places.size(), "small hole was", "small holes were"),
+                             counted(added, "triangle"));
   return outcome;
 }
 

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/errors.h"
+#include "surface/counted.h"
 #include "surface/edge_uses.h"
 #include "surface/orient.h"
 #include "surface/repair_steps.h"
@@ -210,6 +211,9 @@ int separate_fans(State& state, std::vector<Vec3>& places) {
   return static_cast<int>(copy_of_fan.size());
 }
 
+// Of the area: a component with less is not the vessel, of which others are debris.
+constexpr double least_kept = 0.5;
+
 [[noreturn]] void refuse_components(const State& state, Sets& sets, const std::vector<int>& roots,
                                     const std::vector<double>& areas) {
   const double total = total_area(state.surface);
@@ -218,14 +222,16 @@ int separate_fans(State& state, std::vector<Vec3>& places) {
   std::string list;
   constexpr std::size_t shown = 5;
   for (std::size_t i = 0; i < std::min(roots.size(), shown); ++i) {
-    list += fmt::format("{}{} triangles, {:.1f} % of the area, near {}", i > 0 ? "; " : "",
-                        sizes[roots[i]], 100.0 * areas[roots[i]] / total,
+    list += fmt::format("{}{}, {:.1f} % of the area, near {}", i > 0 ? "; " : "",
+                        counted(sizes[roots[i]], "triangle"), 100.0 * areas[roots[i]] / total,
                         coordinates(centroid(state.surface, roots[i])));
   }
-  throw TopologyError(
-      fmt::format("the surface has {} connected components: {}{}. Keep only the vessel and delete "
-                  "the rest",
-                  roots.size(), list, roots.size() > shown ? "; and more" : ""));
+  const bool has_vessel = areas[roots[0]] >= least_kept * total;
+  throw TopologyError(fmt::format(
+      "the surface has {} connected components: {}{}. {}", roots.size(), list,
+      roots.size() > shown ? "; and more" : "",
+      has_vessel ? "Keep only the vessel and delete the rest"
+                 : "None of them is the vessel: weld them together or keep only the vessel"));
 }
 
 }  // namespace
@@ -247,8 +253,8 @@ Outcome remove_duplicates(State& state) {
   }
   if (outcome.places.empty()) return outcome;
   keep_triangles(state.surface, state.origin, keep);
-  outcome.text =
-      fmt::format("{} triangles that repeat another one were dropped", outcome.places.size());
+  outcome.text = counted(outcome.places.size(), "triangle that repeats another one was dropped",
+                         "triangles that repeat another one were dropped");
   return outcome;
 }
 
@@ -258,12 +264,13 @@ Outcome make_manifold(State& state, double small) {
   const std::size_t sheets = outcome.places.size();
   const int copies = separate_fans(state, outcome.places);
   if (sheets > 0) {
-    outcome.text =
-        fmt::format("{} fins or inner walls, of {} triangles, were dropped", sheets, dropped);
+    outcome.text = fmt::format("{0}, of {1}, {2} dropped",
+                               counted(sheets, "fin or inner wall", "fins or inner walls"),
+                               counted(dropped, "triangle"), sheets == 1 ? "was" : "were");
   }
   if (copies > 0) {
-    outcome.text += fmt::format("{}parts that touch were separated at {} points",
-                                sheets > 0 ? ", and " : "", copies);
+    outcome.text += fmt::format("{}parts that touch were separated at {}",
+                                sheets > 0 ? ", and " : "", counted(copies, "point"));
   }
   return outcome;
 }
@@ -285,7 +292,8 @@ Outcome keep_largest_component(State& state, double small) {
   if (roots.size() <= 1) return {};
   const std::vector<double> areas = areas_of(state, sets);
   std::stable_sort(roots.begin(), roots.end(), [&](int l, int r) { return areas[l] > areas[r]; });
-  if (areas[roots[1]] >= small * total_area(state.surface)) {
+  const double total = total_area(state.surface);
+  if (areas[roots[1]] >= small * total || areas[roots[0]] < least_kept * total) {
     refuse_components(state, sets, roots, areas);
   }
   Outcome outcome;
@@ -296,8 +304,8 @@ Outcome keep_largest_component(State& state, double small) {
   for (int f = 0; f < triangle_count(state); ++f) keep[f] = sets.root(f) == roots[0];
   const auto dropped = std::count(keep.begin(), keep.end(), false);
   keep_triangles(state.surface, state.origin, keep);
-  outcome.text =
-      fmt::format("{} small components, of {} triangles, were dropped", roots.size() - 1, dropped);
+  outcome.text = fmt::format("{}, of {}, {} dropped", counted(roots.size() - 1, "small component"),
+                             counted(dropped, "triangle"), roots.size() == 2 ? "was" : "were");
   return outcome;
 }
 
@@ -314,9 +322,10 @@ Outcome turn_outward(State& state) {
     return {};  // a Moebius band, or not manifold: `check_surface` says so
   }
   const bool all = outcome.places.size() == state.surface.triangles.size();
-  outcome.text = all ? "all triangles were wound inward and were turned"
-                     : fmt::format("{} triangles had the wrong winding and were turned",
-                                   outcome.places.size());
+  outcome.text =
+      all ? "all triangles were wound inward and were turned"
+          : counted(outcome.places.size(), "triangle had the wrong winding and was turned",
+                    "triangles had the wrong winding and were turned");
   return outcome;
 }
 

@@ -6,6 +6,7 @@
 
 #include "core/errors.h"
 #include "surface/connectivity.h"
+#include "surface/counted.h"
 #include "surface/remesh.h"
 #include "surface/repair_steps.h"
 #include "surface/self_intersection.h"
@@ -199,10 +200,9 @@ Outcome resolve_intersections(State& state, double tolerance, bool& is_free) {
   }
   is_free = pairs.empty() && all_have_area(state.surface);
   if (!is_free) return {};
-  outcome.text = fmt::format(
-      "the surface crossed or touched itself at {} pairs of triangles and was "
-      "smoothed there",
-      outcome.places.size());
+  outcome.text =
+      fmt::format("the surface crossed or touched itself at {} and was smoothed there",
+                  counted(outcome.places.size(), "pair of triangles", "pairs of triangles"));
   return outcome;
 }
 

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include <Eigen/Geometry>
-#include <fmt/format.h>
 
+#include "surface/counted.h"
 #include "surface/repair_steps.h"
 #include "surface/surface_editor.h"
 
@@ -210,7 +210,8 @@ Outcome remove_slivers(State& state, double tolerance) {
   const auto& triangles = state.surface.triangles;
   if (std::none_of(triangles.begin(), triangles.end(), is_sliver)) return {};
   const std::vector<Vec3> places = SliverRemover(state, tolerance).run();
-  return {places, fmt::format("{} slivers were collapsed or flipped", places.size())};
+  return {places, counted(places.size(), "sliver was collapsed or flipped",
+                          "slivers were collapsed or flipped")};
 }
 
 }  // namespace hexwall::repair

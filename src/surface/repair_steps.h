@@ -36,7 +36,7 @@ Outcome remove_duplicates(State& state);
 Outcome make_manifold(State& state, double small);
 
 /// Keeps the component of the largest area. \throws TopologyError if another one has at least the
-/// share `small` of the area.
+/// share `small` of the area, or the largest less than half of it.
 Outcome keep_largest_component(State& state, double small);
 
 /// Turns triangles as `orient` does; leaves surfaces that cannot be oriented.

@@ -4,8 +4,7 @@
 #include <numeric>
 #include <utility>
 
-#include <fmt/format.h>
-
+#include "surface/counted.h"
 #include "surface/edge_uses.h"
 #include "surface/repair_steps.h"
 #include "surface/surface_editor.h"
@@ -208,11 +207,13 @@ Outcome weld(State& state, double distance) {
   for (const int v : found) outcome.places.push_back(state.surface.points[v]);
   if (!merged.empty()) {
     outcome.text =
-        fmt::format("{} boundary points were merged with others in the same place", merged.size());
+        counted(merged.size(), "boundary point was merged with another in the same place",
+                "boundary points were merged with others in the same place");
   }
   if (split_count > 0) {
-    outcome.text += fmt::format("{}{} points were built into the edge that they lie on",
-                                merged.empty() ? "" : ", and ", split_count);
+    outcome.text += (merged.empty() ? "" : ", and ") +
+                    counted(split_count, "point was built into the edge that it lies on",
+                            "points were built into the edge that they lie on");
   }
   if (!found.empty()) {
     keep_triangles(state.surface, state.origin,

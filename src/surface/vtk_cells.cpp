@@ -6,6 +6,7 @@
 #include <vtkCellType.h>
 
 #include "core/errors.h"
+#include "surface/counted.h"
 
 namespace hexwall {
 
@@ -41,10 +42,12 @@ void VtkCells::add(int type, std::vector<int> corners) {
 void VtkCells::move_to(PolygonSoup& soup) {
   soup.polygons = std::move(polygons_);
   if (lower_ > 0) {
-    soup.notes.push_back(fmt::format("{} vertex and line cells were ignored", lower_));
+    soup.notes.push_back(
+        counted(lower_, "vertex or line cell was ignored", "vertex and line cells were ignored"));
   }
   if (higher_ > 0) {
-    soup.notes.push_back(fmt::format("{} volume or curved cells were ignored", higher_));
+    soup.notes.push_back(counted(higher_, "volume or curved cell was ignored",
+                                 "volume or curved cells were ignored"));
   }
 }
 

@@ -32,12 +32,12 @@ Request request_of(ByteSource& bytes) {
   const unsigned choices = bytes.byte();
   request.quads = (choices & 1U) != 0 ? 300.0 : 60.0;
   request.pipeline.size_by_radius = (choices & 2U) != 0;
-  request.pipeline.layers = (choices & 4U) != 0 ? 3 : 1;
-  request.pipeline.growth = (choices & 8U) != 0 ? 1.5 : 1.0;
+  request.pipeline.outward->layers = (choices & 4U) != 0 ? 3 : 1;
+  request.pipeline.outward->growth = (choices & 8U) != 0 ? 1.5 : 1.0;
   request.prepare.extend = (choices & 16U) != 0 ? 1.0 : 0.0;
   request.pipeline.relax = (choices & 32U) != 0 ? 1.0 : 0.5;
   const bool is_thick = (choices & 64U) != 0;
-  if (is_thick) request.pipeline.thickness = 1.0;
+  if (is_thick) request.pipeline.outward->thickness = 1.0;
   if ((choices & 128U) != 0) {
     request.pipeline.poles.mode = PoleRequest::Mode::count;
     request.pipeline.poles.count = bytes.byte() % 4;

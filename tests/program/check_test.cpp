@@ -105,7 +105,7 @@ TEST_F(Check, SaysWhatWasDoneBeforeARefusal) {
   const std::string file = file_of(surface);
   expect_said(run_hexwall({"check", file}), 4,
               {"problem    the surface has 2 connected components",
-               "done       1 small components, of 14 triangles, were dropped",
+               "done       1 small component, of 14 triangles, was dropped",
                "refused: the surface has genus 1"});
 }
 

@@ -14,6 +14,12 @@ struct Fault {
   RepairStep step;
   int count;  ///< what the step reports
   TriangleSurface surface;
+
+  /// Steps that have to do one thing each before the fault can be found.
+  std::vector<RepairStep> before{};
+
+  /// Steps that, one after the other, repair the fault too where its own step is switched off.
+  std::vector<RepairStep> instead{};
 };
 
 /// The tube: radius 1, length 3, around the z axis; 48 by 24 vertices and two loops.

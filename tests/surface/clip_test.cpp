@@ -212,6 +212,16 @@ TEST(Clip, RefusesCutsThatCannotBeMade) {
                [&] { clip(tube, lengthwise); });
 }
 
+TEST(Clip, RefusesPointsFarFromTheSectionUnlessTheyHaveARadius) {
+  const TriangleSurface tube = cylinder(1.0, 5.0, 24, 22);
+  EXPECT_EQ(loop_count(clip(tube, plane({3.9, 0, 2.1}, {0, 0, 1})).surface), 2);
+  CutPlane cut = plane({5.0, 0, 2.1}, {0, 0, 1});
+  expect_error(ExitCode::geometry, {"(5, 0, 2.1)", "is 4", "away", "radius of 0.99"},
+               [&] { clip(tube, cut); });
+  cut.radius = 7.0;
+  EXPECT_EQ(loop_count(clip(tube, cut).surface), 2);
+}
+
 TEST(Clip, RefusesCutsThatDoNotDivideTheSurface) {
   // A torus cut through its tube stays in one piece.
   TriangleSurface torus;

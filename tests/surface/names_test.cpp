@@ -53,7 +53,8 @@ TEST(Names, RefuseFilesThatAreNotOfTheForm) {
 
 TEST(Names, RefuseWhatIsNoPatchName) {
   for (const char* name :
-       {"", "my inlet", "1st", "a/b", "a;b", "$a", "-a", "inner_wall", "outer_wall", "wall", "core", "lumen", "interface", "left_wall", "\\u00e4"}) {
+       {"", "my inlet", "1st", "a/b", "a;b", "$a", "-a", "inner_wall", "outer_wall", "wall", "core",
+        "lumen", "interface", "left_wall", "\\u00e4"}) {
     expect_refused(std::string(R"([{"at": [0, 0, 0], "name": ")") + name + "\"}]",
                    {"entry 1", "cannot be the name of a patch"});
   }

@@ -38,9 +38,8 @@ struct LabelledTube {
     const std::size_t wall_count = tube().triangles.size();
     const std::size_t cap_count = (surface.triangles.size() - wall_count) / 2;
     for (std::size_t f = 0; f < surface.triangles.size(); ++f) {
-      array.values.push_back(
-          f < wall_count ? wall
-                         : 1.0 + std::floor(static_cast<double>((f - wall_count) / cap_count)));
+      const std::size_t cap = f < wall_count ? 0 : 1 + (f - wall_count) / cap_count;
+      array.values.push_back(cap == 0 ? wall : static_cast<double>(cap));
     }
   }
 };
@@ -173,10 +172,39 @@ TEST_P(CappedVessels, AreOpenedWhereTheyWere) {
 }
 
 INSTANTIATE_TEST_SUITE_P(OpenSurface, CappedVessels,
-                         testing::Values("aneurysm", "palabos_aneurysm_open.stl",
-                                         "vmtk4an_ideal_aneurysm.stl", "vasp_cylinder.vtp",
-                                         "vascularmd_ideal_quads.vtk", "openlb_bifurcation3d.vtp"),
+                         testing::Values("palabos_aneurysm_open.stl", "vmtk4an_ideal_aneurysm.stl",
+                                         "vasp_cylinder.vtp", "vascularmd_ideal_quads.vtk",
+                                         "openlb_bifurcation3d.vtp"),
                          test::test_name);
+
+// The rims of the aneurysm leave their planes by 3, 4 and 7 % of their radii: only the first is
+// flat enough, and a fan over it is not, as its triangles are long.
+TEST(OpenSurface, LeavesCapsOnUnevenRimsClosed) {
+  const auto surface = test::load_surface("aneurysm");
+  if (!surface) GTEST_SKIP() << "there is no file of the aneurysm";
+  EXPECT_TRUE(open_surface(capped(*surface, CapStyle::fan), {}, {}).caps.empty());
+  const Connectivity mesh(static_cast<int>(surface->points.size()), surface->triangles);
+  ASSERT_EQ(mesh.loops().size(), 3U);
+  const auto deviation = [&](const std::vector<int>& loop) {
+    const LoopShape shape = loop_shape(points_of(*surface, loop));
+    double largest = 0.0;
+    for (const Vec3& p : points_of(*surface, loop)) {
+      largest = std::max(largest, std::abs((p - shape.center).dot(shape.normal)) / shape.radius);
+    }
+    return largest;
+  };
+  const auto flattest =
+      std::min_element(mesh.loops().begin(), mesh.loops().end(),
+                       [&](const auto& a, const auto& b) { return deviation(a) < deviation(b); });
+  for (const CapStyle style : {CapStyle::wheel, CapStyle::rings}) {
+    const OpenResult result = open_surface(capped(*surface, style), {}, {});
+    ASSERT_EQ(result.caps.size(), 1U);
+    const Vec3 center = loop_shape(points_of(*surface, *flattest)).center;
+    EXPECT_NEAR((result.caps[0].center - center).norm(), 0.0, 1e-9);
+    EXPECT_TRUE(std::equal(surface->triangles.begin(), surface->triangles.end(),
+                           result.surface.triangles.begin()));  // nothing of the wall is lost
+  }
+}
 
 /// Centres of the loops of a checked surface.
 std::vector<Vec3> loop_centers(const TriangleSurface& surface) {
@@ -245,7 +273,8 @@ TEST(OpenSurface, TakesNoBulgingOrOpenRegionForACap) {
   TriangleSurface open = tube();
   SurfaceArray bands{"ModelFaceID", 1, {}};
   for (std::size_t f = 0; f < open.triangles.size(); ++f) {
-    bands.values.push_back(static_cast<double>(f / 96));
+    const std::size_t band = f / 96;
+    bands.values.push_back(static_cast<double>(band));
   }
   EXPECT_TRUE(open_surface(open, {bands}, {}).caps.empty());
 }

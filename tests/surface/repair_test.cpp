@@ -50,18 +50,27 @@ RepairOptions without(RepairStep step) {
   return options;
 }
 
+std::vector<RepairStep> steps_of(const std::vector<RepairAction>& actions) {
+  std::vector<RepairStep> steps;
+  for (const RepairAction& action : actions) steps.push_back(action.step);
+  return steps;
+}
+
 void expect_same(const TriangleSurface& a, const TriangleSurface& b) {
   EXPECT_EQ(a.points, b.points);
   EXPECT_EQ(a.triangles, b.triangles);
 }
 
-void expect_one_action(const Repaired& result, const Fault& fault) {
+void expect_actions_of(const Fault& fault, const Repaired& result) {
   const std::vector<RepairAction> actions = result.actions();
-  ASSERT_EQ(actions.size(), 1U);
-  EXPECT_EQ(actions[0].step, fault.step);
-  EXPECT_EQ(actions[0].count, fault.count);
-  EXPECT_EQ(static_cast<int>(actions[0].places.size()), fault.count);
-  EXPECT_NE(actions[0].text.find(coordinates(actions[0].places[0])), std::string::npos);
+  std::vector<RepairStep> expected = fault.before;
+  expected.push_back(fault.step);
+  ASSERT_EQ(steps_of(actions), expected);
+  for (const RepairAction& action : actions) {
+    EXPECT_EQ(action.count, action.step == fault.step ? fault.count : 1);
+    EXPECT_EQ(static_cast<int>(action.places.size()), action.count);
+    EXPECT_NE(action.text.find(coordinates(action.places[0])), std::string::npos);
+  }
 }
 
 std::string fault_name(const testing::TestParamInfo<Fault>& info) {
@@ -83,7 +92,7 @@ class AnyFault : public testing::TestWithParam<Fault> {};
 
 TEST_P(AnyFault, IsRepairedByItsStepAlone) {
   const Repaired result = repaired(GetParam().surface);
-  expect_one_action(result, GetParam());
+  expect_actions_of(GetParam(), result);
   const CheckResult checked = check_surface(result.surface());
   EXPECT_EQ(checked.flipped, 0);
   EXPECT_EQ(test::connectivity_of(checked.surface).loops().size(), 2U);
@@ -91,7 +100,11 @@ TEST_P(AnyFault, IsRepairedByItsStepAlone) {
 }
 
 TEST_P(AnyFault, StaysIfItsStepIsSwitchedOff) {
-  const Repaired result = repaired(GetParam().surface, without(GetParam().step));
+  RepairOptions options = without(GetParam().step);
+  for (const RepairStep step : GetParam().instead) std::erase(options.steps, step);
+  // Triangles that are not welded would be refused as components.
+  if (GetParam().name == "soup") std::erase(options.steps, RepairStep::components);
+  const Repaired result = repaired(GetParam().surface, options);
   for (const RepairAction& action : result.actions()) EXPECT_NE(action.step, GetParam().step);
   // Faults may lead to others, but the one step alone mends them.
   EXPECT_FALSE(repaired(result.surface()).actions().empty());
@@ -111,7 +124,7 @@ TEST_P(AnyFault, IsFoundInAnyPositionAndUnit) {
     const Repaired result = repaired(test::transformed(GetParam().surface, [scale](const Vec3& p) {
       return Vec3(scale * test::rigid_motion(p));
     }));
-    expect_one_action(result, GetParam());
+    expect_actions_of(GetParam(), result);
     const std::size_t expected_count = expected.surface().triangles.size();
     if (GetParam().step == RepairStep::remesh) continue;  // rounding decides on its flips
     EXPECT_EQ(result.surface().triangles.size(), expected_count);
@@ -130,6 +143,26 @@ std::vector<Fault> all_faults() {
 }
 
 INSTANTIATE_TEST_SUITE_P(Repair, AnyFault, testing::ValuesIn(all_faults()), fault_name);
+
+class FaultOfSeveralSteps : public testing::TestWithParam<Fault> {};
+
+TEST_P(FaultOfSeveralSteps, IsRepairedByTheOthersIfItsStepIsSwitchedOff) {
+  const Repaired result = repaired(GetParam().surface, without(GetParam().step));
+  EXPECT_EQ(steps_of(result.actions()), GetParam().instead);
+  const CheckResult checked = check_surface(result.surface());
+  EXPECT_EQ(checked.flipped, 0);
+  EXPECT_EQ(test::connectivity_of(checked.surface).loops().size(), 2U);
+  EXPECT_LT(surface_distance(result.surface(), test::sound_tube()), 1e-12);
+}
+
+std::vector<Fault> faults_of_several_steps() {
+  std::vector<Fault> faults = all_faults();
+  std::erase_if(faults, [](const Fault& fault) { return fault.instead.empty(); });
+  return faults;
+}
+
+INSTANTIATE_TEST_SUITE_P(Repair, FaultOfSeveralSteps, testing::ValuesIn(faults_of_several_steps()),
+                         fault_name);
 
 // --- topology
 // -------------------------------------------------------------------------------------
@@ -157,8 +190,9 @@ TEST_P(TopologyFault, LeavesTheSoundSurface) {
       GetParam().name == "inner_wall" ? cylinder(1.0, 30.0, 12, 60) : test::sound_tube();
   EXPECT_NEAR(total_area(result.surface), total_area(sound), 1e-5 * total_area(sound));
   EXPECT_NEAR(signed_volume(result.surface), signed_volume(sound), 1e-3);
-  // Another diagonal of one quad makes a difference of 1e-3.
-  EXPECT_LT(surface_distance(result.surface, sound), 2e-3);
+  // Of a doubled patch the larger one stays, with the other diagonal, which lies 2.9e-3 further in.
+  const double limit = GetParam().name == "doubled_patch" ? 3e-3 : 1e-6;
+  EXPECT_LT(surface_distance(result.surface, sound), limit);
 }
 
 INSTANTIATE_TEST_SUITE_P(Repair, TopologyFault, testing::ValuesIn(test::topology_faults()),
@@ -181,10 +215,9 @@ TEST(RepairTopology, RunsStepAfterStep) {
   surface.triangles.push_back({5, 5, 6});
   test::append(surface, cylinder(0.02, 0.06, 5, 1), {3, 0, 0});
   std::swap(surface.triangles[70][0], surface.triangles[70][1]);
-  std::vector<RepairStep> steps;
-  for (const RepairAction& action : repair_topology(surface).actions) steps.push_back(action.step);
-  EXPECT_EQ(steps, (std::vector{RepairStep::degenerate, RepairStep::nonmanifold,
-                                RepairStep::components, RepairStep::orient}));
+  EXPECT_EQ(steps_of(repair_topology(surface).actions),
+            (std::vector{RepairStep::degenerate, RepairStep::nonmanifold, RepairStep::components,
+                         RepairStep::orient}));
 }
 
 TEST(RepairTopology, RefusesLargeComponentsWithTheirSizesAndPlaces) {
@@ -197,6 +230,13 @@ TEST(RepairTopology, RefusesLargeComponentsWithTheirSizesAndPlaces) {
   RepairOptions options;
   options.small_component = 0.3;
   EXPECT_EQ(repair_topology(surface, options).actions.size(), 1U);
+}
+
+// All its components are small, but together they are the vessel: none may be kept alone.
+TEST(RepairTopology, RefusesSurfacesThatAreNoneOfTheirComponents) {
+  const TriangleSurface soup = test::topology_faults().front().surface;
+  expect_error(ExitCode::topology, {"2304 connected components", "weld"},
+               [&] { repair_topology(soup, without(RepairStep::weld)); });
 }
 
 /// A small octahedron that stands with a vertex on the tube, or with an edge.
@@ -355,7 +395,8 @@ TriangleSurface geometry_fault(const std::string& name) {
 TEST(RepairGeometry, MakesSliversAndLongTrianglesWellShaped) {
   const double tube = worst_quality(test::sound_tube());
   EXPECT_LT(worst_quality(geometry_fault("needle")), 0.01);
-  EXPECT_EQ(worst_quality(repair_geometry(geometry_fault("needle")).surface), tube);
+  // Which end of the needle stays is left open; it is 1e-3 of an edge long.
+  EXPECT_NEAR(worst_quality(repair_geometry(geometry_fault("needle")).surface), tube, 1e-3);
   for (const char* name : {"cap", "cap_at_the_end"}) {
     EXPECT_LT(worst_quality(geometry_fault(name)), 0.01);
     EXPECT_GT(worst_quality(repair_geometry(geometry_fault(name)).surface), 0.3);
