@@ -10,6 +10,7 @@
 
 #include "core/errors.h"
 #include "foliation/local_radius.h"
+#include "surface/counted.h"
 #include "surface/loop_shape.h"
 #include "surface/projector.h"
 #include "wall.h"
@@ -115,7 +116,9 @@ void find_form(PipelineResult& r) {
   PoleResult found{solve_form(problem), {}};
   const PoleRequest& poles = r.options.poles;
   if (poles.mode == PoleRequest::Mode::automatic) {
-    found = place_poles(problem, std::move(found.solution), {});
+    PoleOptions options;
+    options.most = poles.most;
+    found = place_poles(problem, std::move(found.solution), options);
   } else if (poles.mode == PoleRequest::Mode::count) {
     PoleOptions options;
     options.most = poles.count;
@@ -258,18 +261,8 @@ void find_extensions(const std::vector<int>& of_face, const std::vector<SurfaceP
   }
 }
 
-}  // namespace
-
-std::string loop_name(const PipelineResult& result, int loop) {
-  const int first_pole = result.solution.first_pole();
-  return loop < first_pole ? result.openings[loop].name
-                           : fmt::format("pole_{}", loop - first_pole + 1);
-}
-
-PipelineResult run_pipeline(const PrepareResult& input, const PipelineOptions& options,
-                            const ProgressCallback& progress) {
-  check_options(options);
-  PipelineResult r;
+void run_stages(const PrepareResult& input, const PipelineOptions& options,
+                const ProgressCallback& progress, PipelineResult& r) {
   r.options = options;
   StageClock clock(progress, 5);
   r.surface = input.surface;
@@ -293,7 +286,39 @@ PipelineResult run_pipeline(const PrepareResult& input, const PipelineOptions& o
   add_warnings(r);
   clock.end();
   r.times = clock.times();
-  return r;
+}
+
+}  // namespace
+
+std::string loop_name(const PipelineResult& result, int loop) {
+  const int first_pole = result.solution.first_pole();
+  return loop < first_pole ? result.openings[loop].name
+                           : fmt::format("pole_{}", loop - first_pole + 1);
+}
+
+PipelineResult run_pipeline(const PrepareResult& input, const PipelineOptions& options,
+                            const ProgressCallback& progress) {
+  check_options(options);
+  PipelineOptions tried = options;
+  for (;;) {
+    PipelineResult r;
+    try {
+      run_stages(input, tried, progress, r);
+    } catch (const MeshingError& error) {
+      if (r.poles.empty() || options.thickness_strict) throw;
+      if (tried.poles.mode != PoleRequest::Mode::automatic) {
+        throw MeshingError(std::string(error.what()) + "; or fewer or other --poles");
+      }
+      tried.poles.most = static_cast<int>(r.poles.size()) - 1;
+      continue;
+    }
+    if (tried.poles.most < options.poles.most) {
+      r.warnings.push_back(
+          fmt::format("with more than {} no valid mesh was found: blind regions have large quads",
+                      counted(r.poles.size(), "pole")));
+    }
+    return r;
+  }
 }
 
 PipelineResult run_pipeline(const TriangleSurface& surface, const PipelineOptions& options,

@@ -29,6 +29,7 @@ namespace hexwall {
 struct PoleRequest {
   enum class Mode { automatic, off, count, places };
   Mode mode = Mode::automatic;
+  int most = 3;              ///< with `automatic`: no more than these
   int count = 0;             ///< with `count`: as many, wherever they help most
   std::vector<Vec3> places;  ///< with `places`: at the points of the surface nearest to these
 };
@@ -99,7 +100,8 @@ struct PipelineResult {
 /// Name of a loop of `result.solution`: of its opening, or pole_1, pole_2, …
 std::string loop_name(const PipelineResult& result, int loop);
 
-/// From a vessel surface to its hexahedral wall.
+/// From a vessel surface to its hexahedral wall. Where no valid mesh is found with the poles that
+/// were placed automatically, fewer are tried, and a warning says so.
 /// \throws UsageError for options out of range, MeshingError where no valid mesh is found.
 PipelineResult run_pipeline(const PrepareResult& input, const PipelineOptions& options,
                             const ProgressCallback& progress = {});
