@@ -45,7 +45,7 @@ cmake --build --preset release --target hexwall hexwall-picture
 mkdir -p "$demo"
 [[ -f $packed ]] || unpack_from_package
 gzip -dc "$packed" > "$surface"
-build/hexwall mesh "$surface" -o "$mesh" --size 0.8 --layers 2
+build/hexwall mesh "$surface" -o "$mesh" --size 0.8
 check
 
 picture "$mesh/quads.vtp" -o "$demo/quads.png" --edges
