@@ -27,11 +27,6 @@ struct Column {
 Column column_of(const QuadMesh& quads, int quad, const std::vector<Vec3>& directions,
                  const WallShape& shape);
 
-/// Faces between layers that are split worse than this are so because the quads are warped by more
-/// than the layers are high: no small change of the mesh mends that, only smaller quads or higher
-/// layers do.
-inline constexpr double hopeless_face_split = -1.0;
-
 struct ColumnQuality {
   /// Least scaled Jacobian of the column's hexes.
   double scaled_jacobian = 1.0;

@@ -65,7 +65,7 @@ class Smoother {
     // A quad that is itself poor can't give better hexes.
     const double attainable = 0.9 * scaled_jacobian(column.base);
     return quality.scaled_jacobian < std::min(good_scaled_jacobian, attainable) ||
-           (quality.face_split < good_face_split && quality.face_split > hopeless_face_split);
+           quality.face_split < good_face_split;
   }
 
   // Vertices of bad columns and their neighbours. Only columns of `changed` vertices are looked at

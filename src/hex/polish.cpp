@@ -13,11 +13,15 @@
 namespace hexwall {
 namespace {
 
-// Goals: just below what the corners of a regular zero of valence 8 allow, sin 45 deg = 0.71; and
-// above 0, so that reaching it nearly is good enough.
-constexpr double wanted_quad_jacobian = 0.68;
-constexpr double wanted_hex_jacobian = 0.66;
+// Goals: well above what is required (0.4, 0.2 and 0), so that reaching them nearly is good enough.
+constexpr double wanted_quad_jacobian = 0.5;
+constexpr double wanted_hex_jacobian = 0.3;
 constexpr double wanted_face_split = 0.15;
+// Faces that are split worse than this are so because the quads are warped by more than the layers
+// are high: only smaller quads or higher layers mend that.
+constexpr double hopeless_face_split = -4.0;
+// Beyond this share of columns with faces that cannot be split, no polishing of a few mends them.
+constexpr double most_badly_split = 0.02;
 // Among places that meet the goals, those with squarer quads are taken.
 constexpr double skew_weight = 0.02;
 // A move may not take what a thinner wall would need, should the goals be out of reach.
@@ -60,12 +64,9 @@ class Polisher {
 
   PolishResult run() {
     PolishResult result;
-    parallel_for(shortfall_.size(), [&](std::size_t q) {
-      const Column c = column(static_cast<int>(q));
-      is_hopeless_[q] =
-          column_quality(c, shape_.plan.levels).face_split < hopeless_face_split ? 1 : 0;
-      shortfall_[q] = shortfall(static_cast<int>(q));
-    });
+    find_hopeless();
+    parallel_for(shortfall_.size(),
+                 [&](std::size_t q) { shortfall_[q] = shortfall(static_cast<int>(q)); });
     result.columns_before = count_short();
     for (int sweep = 0; sweep < most_sweeps; ++sweep) {
       bool changed = false;
@@ -78,6 +79,22 @@ class Polisher {
   }
 
  private:
+  // Columns whose faces between layers are not asked to be split: those that are warped far too
+  // much for their layers, and all if many are, as in a wall that is too thin for the size of its
+  // quads.
+  void find_hopeless() {
+    std::vector<char> is_short(is_hopeless_.size());
+    parallel_for(is_hopeless_.size(), [&](std::size_t q) {
+      const double split =
+          column_quality(column(static_cast<int>(q)), shape_.plan.levels).face_split;
+      is_hopeless_[q] = split < hopeless_face_split ? 1 : 0;
+      is_short[q] = split < 0.0 ? 1 : 0;
+    });
+    const auto short_count = static_cast<double>(std::count(is_short.begin(), is_short.end(), 1));
+    if (short_count <= most_badly_split * static_cast<double>(is_short.size())) return;
+    std::fill(is_hopeless_.begin(), is_hopeless_.end(), 1);
+  }
+
   int count_short() const {
     return static_cast<int>(
         std::count_if(shortfall_.begin(), shortfall_.end(), [](double s) { return s > 0.0; }));

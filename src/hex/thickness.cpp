@@ -25,6 +25,8 @@ constexpr double least_ratio_for_skewness = 0.2;
 // near the largest thickness possible, and 1e-3 of the asked one is reached in 40 rounds.
 constexpr double shrink_factor = 0.84;
 constexpr double least_ratio = 1e-3;
+// Of the surface's diagonal: no vessel has a thicker wall, and no branch room for one.
+constexpr double greatest_share_of_extent = 0.5;
 // A change of thickness along the surface by at most this slope keeps the skin smooth.
 constexpr double greatest_slope = 0.3;
 // A vertex counts as reduced below this share of the thickness asked for.
@@ -55,6 +57,7 @@ class Fitter {
   }
 
   ThicknessResult run() {
+    refuse_absurd_thickness();
     find_bounds();
     shrink_bad_columns();
     separate();
@@ -79,6 +82,19 @@ class Fitter {
   std::string place_of(int v) const {
     const Vec3& at = quads_.points[v];
     return fmt::format("({:.6g}, {:.6g}, {:.6g})", at.x(), at.y(), at.z());
+  }
+
+  // Where everything meets everything, there would be no end of collisions.
+  void refuse_absurd_thickness() const {
+    Eigen::AlignedBox3d box;
+    for (const Vec3& p : quads_.points) box.extend(p);
+    const double across = box.diagonal().norm();
+    const auto greatest = std::max_element(result_.asked.begin(), result_.asked.end());
+    if (*greatest <= greatest_share_of_extent * across) return;
+    throw MeshingError(fmt::format(
+        "no wall as thick as {:.4g} fits at {}: the surface is {:.4g} across. Is the thickness in "
+        "the unit of the surface?",
+        *greatest, place_of(static_cast<int>(greatest - result_.asked.begin())), across));
   }
 
   // What is wanted of a column: no more than half of what it has in the limit of no thickness.

@@ -31,8 +31,9 @@ struct ThicknessResult {
 /// where a face would be more skewed than OpenFOAM's checkMesh allows. Reductions spread smoothly:
 /// thickness changes along the surface by a slope of 0.3 at most, more only where that much was
 /// asked. No layer is ever dropped. \param directions #V unit vectors, outward. \pre `shape` has
-/// layers on that side. \throws MeshingError, naming the place, if no positive thickness gives
-/// positive Jacobians, or none keeps the skin from meeting itself.
+/// layers on that side. \throws MeshingError, naming the place, if more is asked than half of the
+/// surface's diagonal, if no positive thickness gives positive Jacobians, or if none keeps the skin
+/// from meeting itself.
 ThicknessResult fit_thickness(const QuadMesh& quads, const std::vector<Vec3>& directions,
                               const WallShape& shape, Side side);
 

@@ -23,8 +23,9 @@ constexpr double greatest_poor_share = 0.1;
 constexpr double greatest_triangle_count = 1e7;
 // Unasked for, no surface is remeshed that would take so many times its triangles and edges: some
 // of them are so far out of proportion (a spike) that no mesh of even size is what the user wants,
-// or could wait for.
+// or could wait for. So many triangles are no matter of waiting.
 constexpr double greatest_growth = 30.0;
+constexpr double few_triangles = 20000.0;
 
 // Smoothing of self-intersections: rounds, and steps in each of them. The neighbourhood grows by a
 // ring of triangles every second round.
@@ -160,7 +161,10 @@ Outcome remesh_hopeless(State& state, const double* edge, double tolerance) {
   const bool is_hopeless = share > greatest_poor_share;
   if (!all_have_area(state.surface) || (edge == nullptr && !is_hopeless)) return {};
   const double length = edge != nullptr ? *edge : default_edge(state.surface);
-  if (edge == nullptr && !(pieces(state.surface, length) <= greatest_growth)) return {};
+  const double growth = pieces(state.surface, length);
+  const auto count = static_cast<double>(state.surface.triangles.size());
+  const bool is_quick = growth <= greatest_growth || growth * count <= few_triangles;
+  if (edge == nullptr && !is_quick) return {};
   TriangleSurface remeshed = remesh(state.surface, length);
   const double moved = surface_distance(state.surface, remeshed);
   if (!(moved <= tolerance)) {

@@ -135,19 +135,8 @@ class AwkwardSurface : public testing::TestWithParam<std::tuple<std::string, Var
     output_ = *folder_ / "out";
     const ChildResult result =
         run_hexwall({"mesh", file, "-o", output_.string(), "--write", "vtu"});
-    if (is_known_to_fail()) {
-      EXPECT_EQ(result.exit_code, 6) << "the flaw is mended: take it out";
-      GTEST_SKIP() << "known: " << result.err;
-    }
     ASSERT_EQ(result.exit_code, 0) << result.err;
     expect_valid_results(output_);
-  }
-
-  /// The second of the poles that come by themselves folds quads on so few triangles (514 vertices
-  /// are left); with one pole or none there is a mesh.
-  static bool is_known_to_fail() {
-    const auto& [name, variant] = GetParam();
-    return name == "vampy_left_atrium_moving.vtp" && variant.name == std::string("a_tenth");
   }
 
   const Outcome& original() const { return outcome_of(std::get<0>(GetParam())); }
