@@ -87,14 +87,14 @@ void append_surfaces(const HexMesh& mesh, const std::vector<HexFace>& faces,
   }
 }
 
-/// The surface of a face zone, entered into the boundaries of the volumes on both its sides.
-void append_face_zone(const HexMesh& mesh, const FaceZone& zone, int group,
-                      const HexFaceValues& neighbours, const std::vector<int>& zone_of,
-                      std::vector<Entity>& surfaces, std::vector<Entity>& volumes) {
+/// The surface of face zone `z`, entered into the boundaries of the volumes on both its sides.
+void append_face_zone(const HexMesh& mesh, int z, const HexFaceValues& neighbours,
+                      const std::vector<int>& zone_of, std::vector<Entity>& surfaces,
+                      std::vector<Entity>& volumes) {
   const int tag = count(surfaces) + 1;
-  Entity surface{kSurface, tag, {group}, {}, {}, {}};
+  Entity surface{kSurface, tag, {count(mesh.patches) + z + 1}, {}, {}, {}};
   std::set<int> sides;
-  for (const HexFace& face : faces_of_zone(mesh, zone, neighbours)) {
+  for (const HexFace& face : faces_of_zone(mesh, mesh.face_zones[z], neighbours)) {
     const std::array<int, 4> corners = hex_face(mesh, face.hex, face.local);
     surface.vertices.insert(surface.vertices.end(), corners.begin(), corners.end());
     sides.insert({zone_of[face.hex], zone_of[neighbours[face.hex][face.local]]});
@@ -124,8 +124,7 @@ std::vector<Entity> entities_of(const HexMesh& mesh) {
   for (int p = 0; p < count(mesh.patches); ++p)
     append_surfaces(mesh, faces[p], zone_of, p, entities, volumes);
   for (int z = 0; z < count(mesh.face_zones); ++z)
-    append_face_zone(mesh, mesh.face_zones[z], count(mesh.patches) + z + 1, neighbours, zone_of,
-                     entities, volumes);
+    append_face_zone(mesh, z, neighbours, zone_of, entities, volumes);
   std::copy_if(volumes.begin(), volumes.end(), std::back_inserter(entities),
                [](const Entity& volume) { return !volume.vertices.empty(); });
   distribute_nodes(count(mesh.points), entities);

@@ -202,9 +202,8 @@ std::vector<SurfacePoint> close_poles(PipelineResult& r, const SurfaceProjector&
     spacing.push_back(r.conformal.row_height[q] / r.conformal.column_width[q]);
   }
   for (std::size_t i = 0; i < s.disks.size(); ++i) {
-    r.pole_caps.push_back(close_pole(r.quads, places, s.first_pole() + static_cast<int>(i),
-                                     s.disks[i].center, s.disk_faces[i], spacing, r.surface,
-                                     projector));
+    const PoleSite site{s.first_pole() + static_cast<int>(i), s.disks[i].center, s.disk_faces[i]};
+    r.pole_caps.push_back(close_pole(r.quads, places, site, spacing, projector));
   }
   return places;
 }

@@ -89,18 +89,17 @@ std::optional<Ring> next_ring(const EdgeQuads& quads, const Ring& ring) {
 
 class CapBuilder {
  public:
-  CapBuilder(QuadMesh& mesh, std::vector<SurfacePoint>& places, int loop,
-             const SurfacePoint& center, const std::vector<int>& disk_faces,
-             const std::vector<double>& ring_spacing, const TriangleSurface& surface,
-             const SurfaceProjector& projector)
+  CapBuilder(QuadMesh& mesh, std::vector<SurfacePoint>& places, const PoleSite& site,
+             const std::vector<double>& ring_spacing, const SurfaceProjector& projector)
       : mesh_(mesh),
         places_(places),
-        center_(center),
-        disk_faces_(disk_faces),
-        surface_(surface),
+        loop_(site.loop),
+        center_(site.center),
+        disk_faces_(site.disk_faces),
+        surface_(projector.surface()),
         projector_(projector) {
     const EdgeQuads quads(mesh);
-    rings_.push_back(quads.loop(loop));
+    rings_.push_back(quads.loop(loop_));
     n_ = static_cast<int>(rings_[0].size());
     side_ = n_ / 4;
     radius_.push_back(1.0);
@@ -114,10 +113,10 @@ class CapBuilder {
     }
   }
 
-  PoleCap run(int loop) {
+  PoleCap run() {
     turn(best_turn());
     remember_places();
-    PoleCap cap{loop, n_, static_cast<int>(mesh_.quads.size()), 0.0};
+    PoleCap cap{loop_, n_, static_cast<int>(mesh_.quads.size()), 0.0};
     add_grid();
     place();
     for (const int v : rings_[0]) mesh_.loop_of_vertex[v] = -1;
@@ -300,6 +299,7 @@ class CapBuilder {
 
   QuadMesh& mesh_;
   std::vector<SurfacePoint>& places_;
+  int loop_;
   const SurfacePoint& center_;
   const std::vector<int>& disk_faces_;
   const TriangleSurface& surface_;
@@ -317,12 +317,9 @@ class CapBuilder {
 
 }  // namespace
 
-PoleCap close_pole(QuadMesh& mesh, std::vector<SurfacePoint>& places, int loop,
-                   const SurfacePoint& center, const std::vector<int>& disk_faces,
-                   const std::vector<double>& ring_spacing, const TriangleSurface& surface,
-                   const SurfaceProjector& projector) {
-  return CapBuilder(mesh, places, loop, center, disk_faces, ring_spacing, surface, projector)
-      .run(loop);
+PoleCap close_pole(QuadMesh& mesh, std::vector<SurfacePoint>& places, const PoleSite& site,
+                   const std::vector<double>& ring_spacing, const SurfaceProjector& projector) {
+  return CapBuilder(mesh, places, site, ring_spacing, projector).run();
 }
 
 }  // namespace hexwall

@@ -7,6 +7,13 @@
 
 namespace hexwall {
 
+/// A pole to be closed.
+struct PoleSite {
+  int loop = -1;                ///< of the quad mesh
+  SurfacePoint center;          ///< of the disk that was taken out
+  std::vector<int> disk_faces;  ///< triangles of the surface that cover it
+};
+
 /// The quads that close a pole.
 struct PoleCap {
   int loop = -1;           ///< of the quad mesh
@@ -23,13 +30,11 @@ struct PoleCap {
 /// square with rounded corners, and taken to the surface in polar coordinates around the centre:
 /// angles are columns of quads, radii follow the rings' conformal spacing. Quads of a cap have
 /// cylinder -1 and a patch of their own.
-/// \param places #V triangle and position of every vertex; moved and new ones are on `surface`.
-/// \param center of the disk. \param disk_faces triangles of `surface` that cover it.
+/// \param places #V triangle and position of every vertex; moved and new ones are on the
+/// projector's surface.
 /// \param ring_spacing #Q height over width of each quad in the (x, y) plane.
 /// \pre the loop has a multiple of 4 vertices.
-PoleCap close_pole(QuadMesh& mesh, std::vector<SurfacePoint>& places, int loop,
-                   const SurfacePoint& center, const std::vector<int>& disk_faces,
-                   const std::vector<double>& ring_spacing, const TriangleSurface& surface,
-                   const SurfaceProjector& projector);
+PoleCap close_pole(QuadMesh& mesh, std::vector<SurfacePoint>& places, const PoleSite& site,
+                   const std::vector<double>& ring_spacing, const SurfaceProjector& projector);
 
 }  // namespace hexwall

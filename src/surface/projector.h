@@ -35,6 +35,7 @@ class SurfaceProjector {
   /// The point of the surface that is nearest to `p` among those that a descent from triangle
   /// `start_face` reaches.
   SurfacePoint project(const Vec3& p, int start_face) const;
+  const TriangleSurface& surface() const { return surface_; }
 
  private:
   SurfacePoint nearest_on_face(const Vec3& p, int f) const;

@@ -23,9 +23,10 @@ constexpr double greatest_poor_share = 0.1;
 constexpr double greatest_triangle_count = 1e7;
 // Unasked for, no surface is remeshed that would take so many times its triangles and edges: some
 // of them are so far out of proportion (a spike) that no mesh of even size is what the user wants,
-// or could wait for. So many triangles are no matter of waiting.
+// or could wait for. So many triangles, of sides of so many edges, are no matter of waiting.
 constexpr double greatest_growth = 30.0;
 constexpr double few_triangles = 20000.0;
+constexpr double greatest_side = 100.0;
 
 // Smoothing of self-intersections: rounds, and steps in each of them. The neighbourhood grows by a
 // ring of triangles every second round.
@@ -81,6 +82,16 @@ double pieces(const TriangleSurface& surface, double edge) {
   const double of_side = mean_edge_length(surface) / edge;
   const auto count = static_cast<double>(surface.triangles.size());
   return std::max(of_side, total_area(surface) / (equilateral_area(edge) * count));
+}
+
+double longest_side(const TriangleSurface& surface) {
+  double longest = 0.0;
+  for (const auto& t : surface.triangles) {
+    for (int k = 0; k < 3; ++k) {
+      longest = std::max(longest, (surface.points[t[(k + 1) % 3]] - surface.points[t[k]]).norm());
+    }
+  }
+  return longest;
 }
 
 /// Smooths the surroundings of self-intersections.
@@ -163,7 +174,9 @@ Outcome remesh_hopeless(State& state, const double* edge, double tolerance) {
   const double length = edge != nullptr ? *edge : default_edge(state.surface);
   const double growth = pieces(state.surface, length);
   const auto count = static_cast<double>(state.surface.triangles.size());
-  const bool is_quick = growth <= greatest_growth || growth * count <= few_triangles;
+  const bool is_quick =
+      growth <= greatest_growth ||
+      (growth * count <= few_triangles && longest_side(state.surface) <= greatest_side * length);
   if (edge == nullptr && !is_quick) return {};
   TriangleSurface remeshed = remesh(state.surface, length);
   const double moved = surface_distance(state.surface, remeshed);

@@ -170,7 +170,7 @@ TEST(Extrude, JoinsBothSidesAtTheSurface) {
 /// Into a tube there is room for less than its radius.
 TEST(FitThickness, ThinsTheLayersWhereDirectionsMeet) {
   const Tube t = tube(24, 6, 1.0, 2.0);
-  WallShape shape = inward_shape(t, 3.0);
+  WallShape shape = inward_shape(t, 1.4);
   const ThicknessResult fit = fit_thickness(t.quads, t.directions, shape, Side::inward);
   EXPECT_NEAR(fit.reduced_area_fraction, 1.0, 1e-12);
   for (const double given : fit.given) EXPECT_TRUE(given > 0.0 && given < 1.0) << given;
