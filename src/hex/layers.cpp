@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 #include <sstream>
 
@@ -90,9 +91,8 @@ LayerPlan plan_layers(const std::vector<LayerGroup>& outward,
   const Heights above = heights_of(outward);
   LayerPlan plan;
   plan.inner = static_cast<int>(below.upper.size());
-  for (auto group = inward.rbegin(); group != inward.rend(); ++group) {
-    plan.zone_names.push_back(group->name);
-  }
+  std::transform(inward.rbegin(), inward.rend(), std::back_inserter(plan.zone_names),
+                 [](const LayerGroup& group) { return group.name; });
   for (std::size_t i = below.upper.size(); i-- > 0;) {
     plan.levels.push_back(-below.upper[i]);
     plan.zone.push_back(static_cast<int>(inward.size()) - 1 - below.group[i]);
