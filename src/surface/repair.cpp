@@ -112,7 +112,8 @@ bool have_area(const TriangleSurface& surface) {
 
 bool is_oriented_manifold(const TriangleSurface& surface) {
   try {
-    Connectivity(static_cast<int>(surface.points.size()), surface.triangles);
+    [[maybe_unused]] const Connectivity built(static_cast<int>(surface.points.size()),
+                                              surface.triangles);
     return true;
   } catch (const TopologyError&) {
     return false;
