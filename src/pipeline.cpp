@@ -175,7 +175,7 @@ void find_numbers(PipelineResult& r) {
   const double wanted =
       wanted_quads(s.refined.surface, s.refined.parent_face, edge) / square(*r.options.size);
   const double size_in_plane = std::sqrt(conformal_area(s) / wanted);
-  r.spacing = space_rows(s.refined.surface, s.connectivity, s.form, s.scale_factor, s.size_ratio,
+  r.spacing = space_rows(s.refined.surface, s.connectivity, s.form, {s.scale_factor, s.size_ratio},
                          r.foliation.cylinders, {size_in_plane, r.options.relax});
   const double factor = std::sqrt(wanted / expected_quads(r.foliation.cylinders, r.spacing));
   for (RowSpacing& spacing : r.spacing) {

@@ -22,8 +22,7 @@ double interpolate(const std::vector<double>& from, const std::vector<double>& t
 
 // Root mean square over a level curve, in x.
 double mean_size_ratio(const TriangleSurface& surface, const Connectivity& mesh,
-                       const LevelCurve& curve, const std::vector<double>& scale_factor,
-                       const std::vector<double>& size_ratio) {
+                       const LevelCurve& curve, const FaceScales& scales) {
   double sum = 0.0;
   double total = 0.0;
   for (std::size_t i = 0; i < curve.faces.size(); ++i) {
@@ -31,8 +30,8 @@ double mean_size_ratio(const TriangleSurface& surface, const Connectivity& mesh,
         (position(surface, mesh, curve.points[i + 1]) - position(surface, mesh, curve.points[i]))
             .norm();
     const int f = curve.faces[i];
-    sum += length * scale_factor[f] * size_ratio[f] * size_ratio[f];
-    total += length * scale_factor[f];
+    sum += length * scales.factor[f] * scales.size_ratio[f] * scales.size_ratio[f];
+    total += length * scales.factor[f];
   }
   return std::sqrt(sum / total);
 }
@@ -48,9 +47,7 @@ double RowSpacing::y_of(double row) const {
 }
 
 std::vector<RowSpacing> space_rows(const TriangleSurface& surface, const Connectivity& mesh,
-                                   const HolomorphicForm& form,
-                                   const std::vector<double>& scale_factor,
-                                   const std::vector<double>& size_ratio,
+                                   const HolomorphicForm& form, const FaceScales& scales,
                                    const std::vector<Cylinder>& cylinders,
                                    const RowSpacingOptions& options) {
   std::vector<RowSpacing> result(cylinders.size());
@@ -67,7 +64,7 @@ std::vector<RowSpacing> space_rows(const TriangleSurface& surface, const Connect
       double density = 1.0;
       if (options.evenness > 0.0 && cylinder.y_bottom < y && y < cylinder.y_top) {
         const LevelCurve curve = level_curve(mesh, form, cylinder, y);
-        const double ratio = mean_size_ratio(surface, mesh, curve, scale_factor, size_ratio);
+        const double ratio = mean_size_ratio(surface, mesh, curve, scales);
         density = std::pow(ratio, options.evenness);
       }
       spacing.y.push_back(cylinder.y_bottom + cylinder.height() * (i + 1) / samples);

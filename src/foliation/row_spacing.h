@@ -17,6 +17,12 @@ struct RowSpacing {
   double y_of(double row) const;  ///< inverse of `rows_below`
 };
 
+/// The scale of the conformal map on each triangle.
+struct FaceScales {
+  const std::vector<double>& factor;      ///< #F |grad y|
+  const std::vector<double>& size_ratio;  ///< #F size of conformal quads over their target
+};
+
 struct RowSpacingOptions {
   double size_in_plane = 1.0;  ///< target edge length in the (x, y) plane
   double evenness = 0.5;       ///< 0: rows of equal height in y, squares under the conformal map;
@@ -28,11 +34,8 @@ struct RowSpacingOptions {
 /// varies. With r the root mean square in x, on a level curve, of the size of conformal quads over
 /// their target, rows are denser by r^evenness than conformal ones. Grid lines stay what they are:
 /// level curves and vertical trajectories, at right angles to each other.
-/// \param scale_factor #F |grad y|. \param size_ratio #F size of conformal quads over their target.
 std::vector<RowSpacing> space_rows(const TriangleSurface& surface, const Connectivity& mesh,
-                                   const HolomorphicForm& form,
-                                   const std::vector<double>& scale_factor,
-                                   const std::vector<double>& size_ratio,
+                                   const HolomorphicForm& form, const FaceScales& scales,
                                    const std::vector<Cylinder>& cylinders,
                                    const RowSpacingOptions& options);
 

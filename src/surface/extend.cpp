@@ -41,15 +41,19 @@ std::vector<int> end_of_vessel(const TriangleSurface& surface, const Connectivit
                                const std::vector<int>& loop, const LoopShape& shape, double depth) {
   std::vector<int> found;
   std::vector<char> seen(mesh.face_count(), 0);
+  std::vector<int> open;
   const auto visit = [&](int f) {
     if (seen[f] != 0) return;
     seen[f] = 1;
     found.push_back(f);
+    open.push_back(f);
   };
   for (const int v : loop) visit(Connectivity::face(mesh.outgoing(v)));
-  for (std::size_t i = 0; i < found.size(); ++i) {
+  while (!open.empty()) {
+    const int f = open.back();
+    open.pop_back();
     for (int k = 0; k < 3; ++k) {
-      const int twin = mesh.twin(3 * found[i] + k);
+      const int twin = mesh.twin(3 * f + k);
       if (twin < 0) continue;
       const Vec3 p = surface.points[mesh.apex(twin)] - shape.center;
       // The loop runs counter-clockwise around its normal, which points into the vessel.
@@ -169,7 +173,8 @@ struct Ring {
 
   int vertex(std::size_t i) const { return vertices[i % vertices.size()]; }
   double fraction(std::size_t i) const {
-    return fractions[i % fractions.size()] + static_cast<double>(i / fractions.size());
+    const std::size_t round = i / fractions.size();
+    return fractions[i % fractions.size()] + static_cast<double>(round);
   }
   double middle(std::size_t i) const { return 0.5 * (fraction(i) + fraction(i + 1)); }
 };

@@ -23,9 +23,9 @@ class Rounding : public testing::Test {
   }
 
   Quantisation rounded(double size, const std::vector<int>& poles) const {
-    const auto spacing =
-        space_rows(solution_.refined.surface, solution_.connectivity, solution_.form,
-                   solution_.scale_factor, solution_.size_ratio, foliation_.cylinders, {size, 0.5});
+    const auto spacing = space_rows(solution_.refined.surface, solution_.connectivity,
+                                    solution_.form, {solution_.scale_factor, solution_.size_ratio},
+                                    foliation_.cylinders, {size, 0.5});
     QuantiseOptions options;
     options.size = size;
     options.poles = poles;
