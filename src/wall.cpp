@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "core/errors.h"
+#include "core/parallel.h"
 #include "foliation/local_radius.h"
 #include "hex/directions.h"
 #include "hex/quality.h"
@@ -17,6 +18,10 @@ namespace {
 
 constexpr double default_outward_ratio = 0.1;
 constexpr double default_inward_ratio = 0.15;
+// Where the wall became thinner, faces between its layers may be warped too much for OpenFOAM. So
+// many times it is polished and fitted again, if it is no more than this share of the columns.
+constexpr int most_fits = 3;
+constexpr double most_lacking = 0.02;
 
 void require(bool holds, const std::string& message) {
   if (!holds) throw UsageError(message);
@@ -148,23 +153,49 @@ std::vector<Vec3> find_directions(PipelineResult& r, const std::vector<SurfacePo
   return directions;
 }
 
-std::optional<ThicknessResult> fit_side(const PipelineResult& r, std::vector<double>& thickness,
-                                        const std::vector<Vec3>& directions, const WallShape& shape,
-                                        Side side) {
-  if (thickness.empty()) return std::nullopt;
-  ThicknessResult result = fit_thickness(r.quads, directions, shape, side);
-  if (r.options.thickness_strict && result.reduced_area_fraction > 0.0) {
-    const int v = result.worst_vertex;
-    const Vec3& at = r.quads.points[v];
-    throw MeshingError(fmt::format(
-        "the {} have to be thinner than asked on {:.3g} % of the area, least at ({:.6g}, {:.6g}, "
-        "{:.6g}): {:.4g} instead of {:.4g}. Ask for less there, or leave out --thickness-strict",
-        side == Side::outward ? "layers of the wall" : "layers in the lumen",
-        100.0 * result.reduced_area_fraction, at.x(), at.y(), at.z(), result.given[v],
-        result.asked[v]));
+// Thickness that fits on each side.
+WallShape fit_sides(PipelineResult& r, const std::vector<SurfacePoint>& places,
+                    const std::vector<Vec3>& directions) {
+  WallShape shape = shape_of(r, places);
+  if (r.options.outward) {
+    r.outward = fit_thickness(r.quads, directions, shape, Side::outward);
+    shape.outward = r.outward->given;
   }
-  thickness = result.given;
-  return result;
+  if (r.options.inward) {
+    r.inward = fit_thickness(r.quads, directions, shape, Side::inward);
+    shape.inward = r.inward->given;
+  }
+  return shape;
+}
+
+// Whether there are columns without face tets, but few enough for polishing.
+bool lacks_face_tets(const QuadMesh& quads, const std::vector<Vec3>& directions,
+                     const WallShape& shape) {
+  std::vector<char> lacks(quads.quads.size());
+  parallel_for(lacks.size(), [&](std::size_t q) {
+    const Column column = column_of(quads, static_cast<int>(q), directions, shape);
+    lacks[q] = has_face_tets(column, shape.plan.levels) ? 0 : 1;
+  });
+  const auto count = static_cast<double>(std::count(lacks.begin(), lacks.end(), 1));
+  return count > 0.0 && count <= most_lacking * static_cast<double>(lacks.size());
+}
+
+void check_strictness(const PipelineResult& r, const ThicknessResult& result,
+                      const std::string& what) {
+  if (result.reduced_area_fraction <= 0.0) return;
+  const int v = result.worst_vertex;
+  const Vec3& at = r.quads.points[v];
+  throw MeshingError(fmt::format(
+      "the {} have to be thinner than asked on {:.3g} % of the area, least at ({:.6g}, {:.6g}, "
+      "{:.6g}): {:.4g} instead of {:.4g}. Ask for less there, or leave out --thickness-strict",
+      what, 100.0 * result.reduced_area_fraction, at.x(), at.y(), at.z(), result.given[v],
+      result.asked[v]));
+}
+
+void check_strictness(const PipelineResult& r) {
+  if (!r.options.thickness_strict) return;
+  if (r.outward) check_strictness(r, *r.outward, "layers of the wall");
+  if (r.inward) check_strictness(r, *r.inward, "layers in the lumen");
 }
 
 }  // namespace
@@ -192,11 +223,14 @@ void make_wall(PipelineResult& r, std::vector<SurfacePoint>& places,
   WallShape shape = shape_of(r, places);
   std::vector<Vec3> directions = find_directions(r, places, shape);
   r.polishing = polish(r.quads, places, directions, projector, shape);
+  shape = fit_sides(r, places, directions);
+  for (int round = 0; round < most_fits && lacks_face_tets(r.quads, directions, shape); ++round) {
+    polish(r.quads, places, directions, projector, shape);
+    shape = fit_sides(r, places, directions);
+  }
+  check_strictness(r);
   r.target_edge = target_edges(r, places);
   r.quad_quality = quad_quality(r.quads, r.target_edge);
-  shape = shape_of(r, places);
-  r.outward = fit_side(r, shape.outward, directions, shape, Side::outward);
-  r.inward = fit_side(r, shape.inward, directions, shape, Side::inward);
   std::vector<std::string> names;
   for (const Opening& opening : r.openings) names.push_back(opening.name);
   r.wall = extrude(r.quads, directions, names, shape);

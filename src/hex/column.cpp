@@ -4,12 +4,11 @@
 
 #include <Eigen/Geometry>
 
+#include "hex/cell_geometry.h"
 #include "hex/quality.h"
 
 namespace hexwall {
 namespace {
-
-using Face = std::array<Vec3, 4>;
 
 Face level_face(const Column& column, double level) {
   Face face;
@@ -24,16 +23,9 @@ Vec3 center(const Face& face) {
   return 0.25 * (face[0] + face[1] + face[2] + face[3]);
 }
 
-// Least height of `above` over, and of `below` under, the two triangles on either side of the
-// diagonal from corner k.
-double split_height(const Face& face, int k, const Vec3& below, const Vec3& above) {
-  double least = std::numeric_limits<double>::max();
-  for (const int j : {k + 1, k + 2}) {
-    const Vec3& a = face[k];
-    const Vec3 normal = (face[j % 4] - a).cross(face[(j + 1) % 4] - a).normalized();
-    least = std::min({least, (above - a).dot(normal), (a - below).dot(normal)});
-  }
-  return least;
+// Towards the cell below the face, the one above it, or both.
+bool can_be_split(const Face& face, const Vec3* below, const Vec3* above) {
+  return std::max(split_height(face, 0, below, above), split_height(face, 1, below, above)) > 0.0;
 }
 
 }  // namespace
@@ -60,8 +52,8 @@ ColumnQuality column_quality(const Column& column, const std::vector<double>& le
     const Vec3 center_above = 0.5 * (center(low) + center(high));
     const double height = (center(high) - center(low)).norm();
     if (i > 0) {
-      const double split = std::max(split_height(low, 0, center_below, center_above),
-                                    split_height(low, 1, center_below, center_above));
+      const double split = std::max(split_height(low, 0, &center_below, &center_above),
+                                    split_height(low, 1, &center_below, &center_above));
       quality.face_split = std::min(quality.face_split, split / (0.5 * height));
     }
     quality.scaled_jacobian = std::min(
@@ -71,6 +63,24 @@ ColumnQuality column_quality(const Column& column, const std::vector<double>& le
     low = high;
   }
   return quality;
+}
+
+bool has_face_tets(const Column& column, const std::vector<double>& levels) {
+  Face low = level_face(column, levels.front());
+  Vec3 center_below;
+  for (std::size_t i = 0; i + 1 < levels.size(); ++i) {
+    const Face high = level_face(column, levels[i + 1]);
+    const Vec3 center =
+        cell_center({low[0], low[1], low[2], low[3], high[0], high[1], high[2], high[3]});
+    if (!can_be_split(low, i > 0 ? &center_below : nullptr, &center)) return false;
+    for (int k = 0; k < 4; ++k) {
+      const int j = (k + 1) % 4;
+      if (!can_be_split({low[k], low[j], high[j], high[k]}, &center, nullptr)) return false;
+    }
+    center_below = center;
+    low = high;
+  }
+  return can_be_split(low, &center_below, nullptr);
 }
 
 double flat_quality(const Column& column) {

@@ -41,6 +41,11 @@ struct ColumnQuality {
 /// \param levels of the layer boundaries, rising, see `LayerPlan`.
 ColumnQuality column_quality(const Column& column, const std::vector<double>& levels);
 
+/// Whether the faces of the column's hexes can be split into triangles which, with the centres of
+/// the cells, give tetrahedra of positive volume, as OpenFOAM requires (the check of face tets):
+/// those between layers towards both cells, the others towards the column's cell.
+bool has_face_tets(const Column& column, const std::vector<double>& levels);
+
 /// Least triple product of the unit edges and the direction at the corners of the base: the scaled
 /// Jacobian in the limit of no thickness.
 double flat_quality(const Column& column);

@@ -2,65 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <tuple>
 
 #include <Eigen/Geometry>
 
 #include "core/parallel.h"
+#include "hex/cell_geometry.h"
 
 namespace hexwall {
 namespace {
 
-using Face = std::array<Vec3, 4>;
-
-// Faces of a hex whose normals point out, by its corners in VTK's order.
-constexpr std::array<std::array<int, 4>, 6> faces_of_hex{
-    {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}};
 // A face counts as extended by at least these shares of the distance of the cells, as in OpenFOAM.
 constexpr double least_extent_inside = 0.2;
 constexpr double least_extent_at_boundary = 0.4;
-
-struct FaceGeometry {
-  Vec3 center;
-  Vec3 area;  // vector
-};
-
-// By the four triangles around the mean of the corners, weighted by their areas.
-FaceGeometry geometry_of(const Face& face) {
-  const Vec3 middle = 0.25 * (face[0] + face[1] + face[2] + face[3]);
-  FaceGeometry result{Vec3::Zero(), Vec3::Zero()};
-  double weights = 0.0;
-  for (int k = 0; k < 4; ++k) {
-    const Vec3& a = face[k];
-    const Vec3& b = face[(k + 1) % 4];
-    const Vec3 doubled_area = (b - a).cross(middle - a);
-    const double weight = doubled_area.norm();
-    result.area += 0.5 * doubled_area;
-    result.center += weight * (a + b + middle) / 3.0;
-    weights += weight;
-  }
-  result.center = weights > 0.0 ? Vec3(result.center / weights) : middle;
-  return result;
-}
-
-// By the pyramids of the faces over the mean of their centres, weighted by their volumes.
-Vec3 center_of(const std::array<Vec3, 8>& hex) {
-  std::array<FaceGeometry, 6> faces;
-  Vec3 middle = Vec3::Zero();
-  for (int f = 0; f < 6; ++f) {
-    const auto& c = faces_of_hex[f];
-    faces[f] = geometry_of({hex[c[0]], hex[c[1]], hex[c[2]], hex[c[3]]});
-    middle += faces[f].center / 6.0;
-  }
-  Vec3 sum = Vec3::Zero();
-  double volume = 0.0;
-  for (const FaceGeometry& face : faces) {
-    const double pyramid = face.area.dot(face.center - middle);
-    sum += pyramid * (0.75 * face.center + 0.25 * middle);
-    volume += pyramid;
-  }
-  return volume > 0.0 ? Vec3(sum / volume) : middle;
-}
 
 double relative(const Vec3& offset, const Face& face, const Vec3& center, double least_extent) {
   const double length = offset.norm();
@@ -71,7 +26,7 @@ double relative(const Vec3& offset, const Face& face, const Vec3& center, double
 }
 
 double skewness_between(const Face& face, const Vec3& owner, const Vec3& neighbour) {
-  const FaceGeometry geometry = geometry_of(face);
+  const FaceGeometry geometry = face_geometry(face);
   const Vec3 to_face = geometry.center - owner;
   const Vec3 d = neighbour - owner;
   const double across = geometry.area.dot(d);
@@ -81,7 +36,7 @@ double skewness_between(const Face& face, const Vec3& owner, const Vec3& neighbo
 }
 
 double skewness_at_boundary(const Face& face, const Vec3& owner) {
-  const FaceGeometry geometry = geometry_of(face);
+  const FaceGeometry geometry = face_geometry(face);
   const Vec3 normal = geometry.area.normalized();
   const Vec3 to_face = geometry.center - owner;
   const Vec3 d = normal.dot(to_face) * normal;
@@ -106,7 +61,7 @@ class Cells {
           hex[k] = at(quads_.quads[q][k], layer);
           hex[k + 4] = at(quads_.quads[q][k], layer + 1);
         }
-        centers_[q * layers_ + layer] = center_of(hex);
+        centers_[q * layers_ + layer] = cell_center(hex);
       }
     });
   }
