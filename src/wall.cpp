@@ -224,8 +224,8 @@ void make_wall(PipelineResult& r, std::vector<SurfacePoint>& places,
   std::vector<Vec3> directions = find_directions(r, places, shape);
   r.polishing = polish(r.quads, places, directions, projector, shape);
   shape = fit_sides(r, places, directions);
-  for (int round = 0; round < most_fits && lacks_face_tets(r.quads, directions, shape); ++round) {
-    polish(r.quads, places, directions, projector, shape);
+  for (int round = 1; round <= most_fits && lacks_face_tets(r.quads, directions, shape); ++round) {
+    favour_face_tets(r.quads, places, directions, projector, shape, round / double{most_fits});
     shape = fit_sides(r, places, directions);
   }
   check_strictness(r);

@@ -43,26 +43,37 @@ Column column_of(const QuadMesh& quads, int quad, const std::vector<Vec3>& direc
   return column;
 }
 
-ColumnQuality column_quality(const Column& column, const std::vector<double>& levels) {
-  ColumnQuality quality;
+double scaled_jacobian(const Column& column, const std::vector<double>& levels) {
+  double least = 1.0;
   Face low = level_face(column, levels.front());
-  Vec3 center_below = Vec3::Zero();
   for (std::size_t i = 0; i + 1 < levels.size(); ++i) {
     const Face high = level_face(column, levels[i + 1]);
-    const Vec3 center_above = 0.5 * (center(low) + center(high));
-    const double height = (center(high) - center(low)).norm();
+    least = std::min(least, scaled_jacobian({low[0], low[1], low[2], low[3], high[0], high[1],
+                                             high[2], high[3]}));
+    low = high;
+  }
+  return least;
+}
+
+double face_split(const Column& column, const std::vector<double>& levels) {
+  double least = 1.0;
+  Vec3 center_below = Vec3::Zero();
+  Face low = level_face(column, levels.front());
+  Vec3 low_center = center(low);
+  for (std::size_t i = 0; i + 1 < levels.size(); ++i) {
+    const Face high = level_face(column, levels[i + 1]);
+    const Vec3 high_center = center(high);
+    const Vec3 center_above = 0.5 * (low_center + high_center);
     if (i > 0) {
       const double split = std::max(split_height(low, 0, &center_below, &center_above),
                                     split_height(low, 1, &center_below, &center_above));
-      quality.face_split = std::min(quality.face_split, split / (0.5 * height));
+      least = std::min(least, 2.0 * split / (high_center - low_center).norm());
     }
-    quality.scaled_jacobian = std::min(
-        quality.scaled_jacobian,
-        scaled_jacobian({low[0], low[1], low[2], low[3], high[0], high[1], high[2], high[3]}));
     center_below = center_above;
     low = high;
+    low_center = high_center;
   }
-  return quality;
+  return least;
 }
 
 bool has_face_tets(const Column& column, const std::vector<double>& levels) {
@@ -81,6 +92,21 @@ bool has_face_tets(const Column& column, const std::vector<double>& levels) {
     low = high;
   }
   return can_be_split(low, &center_below, nullptr);
+}
+
+double corner_deficit(const Column& column, const std::vector<double>& levels) {
+  double sum = 0.0;
+  for (const double level : levels) {
+    const Face face = level_face(column, level);
+    std::array<Vec3, 4> edge;
+    for (int k = 0; k < 4; ++k) edge[k] = (face[(k + 1) % 4] - face[k]).normalized();
+    for (int k = 0; k < 4; ++k) {
+      double power = 1.0 - edge[(k + 3) % 4].cross(edge[k]).dot(column.direction[k]);
+      for (int i = 0; i < 4; ++i) power *= power;
+      sum += power;
+    }
+  }
+  return sum;
 }
 
 double flat_quality(const Column& column) {

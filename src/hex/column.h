@@ -27,24 +27,25 @@ struct Column {
 Column column_of(const QuadMesh& quads, int quad, const std::vector<Vec3>& directions,
                  const WallShape& shape);
 
-struct ColumnQuality {
-  /// Least scaled Jacobian of the column's hexes.
-  double scaled_jacobian = 1.0;
-
-  /// How well the faces between layers can be split: for the better diagonal of the worst face,
-  /// the least distance of a cell centre from a triangle's plane on its proper side, relative to
-  /// half the height of a layer. 1 for flat faces; at or below 0 no diagonal gives tetrahedra of
-  /// positive volume towards both cells, which OpenFOAM reports as an error in face tets.
-  double face_split = 1.0;
-};
-
+/// Least scaled Jacobian of the column's hexes.
 /// \param levels of the layer boundaries, rising, see `LayerPlan`.
-ColumnQuality column_quality(const Column& column, const std::vector<double>& levels);
+double scaled_jacobian(const Column& column, const std::vector<double>& levels);
+
+/// How well the faces between layers can be split: for the better diagonal of the worst face, the
+/// least distance of a cell centre from a triangle's plane on its proper side, relative to half the
+/// height of a layer. 1 for flat faces; at or below 0 no diagonal gives tetrahedra of positive
+/// volume towards both cells, which OpenFOAM reports as an error in face tets.
+double face_split(const Column& column, const std::vector<double>& levels);
 
 /// Whether the faces of the column's hexes can be split into triangles which, with the centres of
 /// the cells, give tetrahedra of positive volume, as OpenFOAM requires (the check of face tets):
 /// those between layers towards both cells, the others towards the column's cell.
 bool has_face_tets(const Column& column, const std::vector<double>& levels);
+
+/// Sum of (1 - J)^16 over the corners of the base carried to each level, J the triple product of
+/// the unit edges and the direction there, of which the least is the column's scaled Jacobian. A
+/// smooth measure of how bad the worst are.
+double corner_deficit(const Column& column, const std::vector<double>& levels);
 
 /// Least triple product of the unit edges and the direction at the corners of the base: the scaled
 /// Jacobian in the limit of no thickness.

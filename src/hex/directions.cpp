@@ -61,11 +61,11 @@ class Smoother {
  private:
   bool is_bad(std::size_t q) const {
     const Column column = column_of(quads_, static_cast<int>(q), directions_, shape_);
-    const ColumnQuality quality = column_quality(column, shape_.plan.levels);
     // A quad that is itself poor can't give better hexes.
     const double attainable = 0.9 * scaled_jacobian(column.base);
-    return quality.scaled_jacobian < std::min(good_scaled_jacobian, attainable) ||
-           quality.face_split < good_face_split;
+    return scaled_jacobian(column, shape_.plan.levels) <
+               std::min(good_scaled_jacobian, attainable) ||
+           face_split(column, shape_.plan.levels) < good_face_split;
   }
 
   // Vertices of bad columns and their neighbours. Only columns of `changed` vertices are looked at

@@ -3,28 +3,21 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
+#include <limits>
 
 #include <Eigen/Geometry>
 
 #include "core/parallel.h"
+#include "hex/column_search.h"
 #include "quad/quality.h"
 
 namespace hexwall {
 namespace {
 
-struct Goals {
-  double quad_jacobian;
-  double hex_jacobian;
-  double face_split;
-};
-
-// First goals: well above what is required (0.4, 0.2 and 0), so that reaching them nearly is good
-// enough.
-constexpr Goals first_goals{0.5, 0.3, 0.15};
-// Then for fewer hexes that are the worst, as far as no faces are lost to OpenFOAM. At a zero of
-// the form eight quads meet, whose corners have a scaled Jacobian of 0.71 on a flat surface.
-constexpr Goals further_goals{0.68, 0.66, 0.15};
+// Goals: well above what is required (0.4, 0.2 and 0), so that reaching them nearly is good enough.
+constexpr double wanted_quad_jacobian = 0.5;
+constexpr double wanted_hex_jacobian = 0.3;
+constexpr double wanted_face_split = 0.15;
 // Faces that are split worse than this are so because the quads are warped by more than the layers
 // are high: only smaller quads or higher layers mend that.
 constexpr double hopeless_face_split = -4.0;
@@ -34,109 +27,96 @@ constexpr double most_badly_split = 0.02;
 constexpr double skew_weight = 0.02;
 // A move may not take what a thinner wall would need, should the goals be out of reach.
 constexpr double enough_thin_quality = 0.4;
-// Steps of the search: relative to the shortest edge for moves, in radians for tilts.
-constexpr double first_move = 0.3;
-constexpr double first_tilt = 0.3;
 constexpr double smallest_step = 0.02;
-constexpr int step_directions = 8;
 constexpr int most_sweeps = 60;
+
+// Evening out: columns with hexes below this are evened out with the rings of vertices around them,
+// unless that is much of the mesh.
+constexpr double poor_jacobian = 0.65;
+constexpr int even_rings = 3;
+constexpr double most_evened = 0.2;
+// A face that is just split counts like a scaled Jacobian of one less this.
+constexpr double least_split_weight = 0.45;
+constexpr double greatest_split_weight = 1.0;
+// No edge gets shorter than this share of the shortest one around its end.
+constexpr double least_shortening = 0.5;
+// Vertices stay, for the while, where no corner around them is worse than about 0.75.
+constexpr double good_cost = 2e-10;
+constexpr double first_even_step = 0.5;
+constexpr double smallest_even_step = 0.01;
+// Steps are halved after so many sweeps, or where a sweep leaves more than this share of the cost.
+constexpr int most_even_sweeps = 20;
+constexpr double enough_decrease = 0.97;
 
 double square(double x) {
   return x * x;
 }
 
-class Polisher {
- public:
-  Polisher(QuadMesh& quads, std::vector<SurfacePoint>& places, std::vector<Vec3>& directions,
-           const SurfaceProjector& projector, const WallShape& shape)
-      : quads_(quads),
-        places_(places),
-        directions_(directions),
-        projector_(projector),
-        shape_(shape),
-        first_quad_(quads.points.size() + 1, 0),
-        quads_of_vertex_(4 * quads.quads.size()),
-        is_hopeless_(quads.quads.size(), 0),
-        has_face_tets_(quads.quads.size(), 0),
-        shortfall_(quads.quads.size()),
-        step_(quads.points.size(), 1.0),
-        moved_(quads.points.size(), 0) {
-    for (const auto& quad : quads.quads) {
-      for (const int v : quad) ++first_quad_[v + 1];
-    }
-    for (std::size_t v = 0; v < quads.points.size(); ++v) first_quad_[v + 1] += first_quad_[v];
-    std::vector<int> next(first_quad_.begin(), first_quad_.end() - 1);
-    for (std::size_t q = 0; q < quads.quads.size(); ++q) {
-      for (const int v : quads.quads[q]) quads_of_vertex_[next[v]++] = static_cast<int>(q);
-    }
-  }
+double sixteenth_power(double x) {
+  return square(square(square(square(x))));
+}
 
-  PolishResult run() {
-    PolishResult result;
-    find_hopeless();
-    aim_for(first_goals);
+/// Columns whose faces between layers are not asked to be split: those that are warped far too much
+/// for their layers, and all if many are, as in a wall that is too thin for the size of its quads.
+std::vector<char> hopeless_columns(const ColumnSearch& search) {
+  std::vector<char> is_hopeless(search.quads().quads.size());
+  std::vector<char> is_short(is_hopeless.size());
+  parallel_for(is_hopeless.size(), [&](std::size_t q) {
+    const Column column = search.column(static_cast<int>(q));
+    const double split = face_split(column, search.levels());
+    is_hopeless[q] = split < hopeless_face_split ? 1 : 0;
+    is_short[q] = split < 0.0 ? 1 : 0;
+  });
+  const auto short_count = static_cast<double>(std::count(is_short.begin(), is_short.end(), 1));
+  if (short_count > most_badly_split * static_cast<double>(is_short.size())) {
+    std::fill(is_hopeless.begin(), is_hopeless.end(), 1);
+  }
+  return is_hopeless;
+}
+
+/// Brings the columns that fall short of the goals up to them.
+class Mender {
+ public:
+  Mender(ColumnSearch& search, const std::vector<char>& is_hopeless)
+      : search_(search),
+        is_hopeless_(is_hopeless),
+        shortfall_(search.quads().quads.size()),
+        step_(search.quads().points.size(), 1.0) {}
+
+  /// \param moved #V set to 1 where a vertex is moved or turned.
+  void run(std::vector<char>& moved, PolishResult& result) {
+    parallel_for(shortfall_.size(),
+                 [&](std::size_t q) { shortfall_[q] = shortfall(static_cast<int>(q)); });
     result.columns_before = count_short();
-    search();
+    for (int sweep = 0; sweep < most_sweeps; ++sweep) {
+      bool changed = false;
+      for (const int v : vertices_of_short_columns()) {
+        if (improve(v)) {
+          moved[v] = 1;
+          changed = true;
+        } else {
+          step_[v] *= 0.5;
+          changed = changed || step_[v] > smallest_step;
+        }
+      }
+      if (!changed) break;
+    }
     result.columns_after = count_short();
-    aim_for(further_goals);
-    find_face_tets();
-    search();
-    result.moved = static_cast<int>(std::count(moved_.begin(), moved_.end(), 1));
-    return result;
   }
 
  private:
-  // Columns whose faces between layers are not asked to be split: those that are warped far too
-  // much for their layers, and all if many are, as in a wall that is too thin for the size of its
-  // quads.
-  void find_hopeless() {
-    std::vector<char> is_short(is_hopeless_.size());
-    parallel_for(is_hopeless_.size(), [&](std::size_t q) {
-      const double split =
-          column_quality(column(static_cast<int>(q)), shape_.plan.levels).face_split;
-      is_hopeless_[q] = split < hopeless_face_split ? 1 : 0;
-      is_short[q] = split < 0.0 ? 1 : 0;
-    });
-    const auto short_count = static_cast<double>(std::count(is_short.begin(), is_short.end(), 1));
-    if (short_count <= most_badly_split * static_cast<double>(is_short.size())) return;
-    std::fill(is_hopeless_.begin(), is_hopeless_.end(), 1);
-  }
-
-  void aim_for(const Goals& goals) {
-    goals_ = goals;
-    parallel_for(shortfall_.size(),
-                 [&](std::size_t q) { shortfall_[q] = shortfall(static_cast<int>(q)); });
-    std::fill(step_.begin(), step_.end(), 1.0);
-  }
-
-  void find_face_tets() {
-    parallel_for(has_face_tets_.size(), [&](std::size_t q) {
-      has_face_tets_[q] = has_face_tets(column(static_cast<int>(q)), shape_.plan.levels) ? 1 : 0;
-    });
-  }
-
-  void search() {
-    for (int sweep = 0; sweep < most_sweeps; ++sweep) {
-      bool changed = false;
-      for (const int v : vertices_of_short_columns()) changed = improve(v) || changed;
-      if (!changed) break;
-    }
-  }
-
   int count_short() const {
     return static_cast<int>(
         std::count_if(shortfall_.begin(), shortfall_.end(), [](double s) { return s > 0.0; }));
   }
 
-  Column column(int q) const { return column_of(quads_, q, directions_, shape_); }
-
   double shortfall(int q) const {
-    const Column c = column(q);
-    const ColumnQuality quality = column_quality(c, shape_.plan.levels);
-    return square(std::max(0.0, goals_.quad_jacobian - scaled_jacobian(c.base))) +
-           square(std::max(0.0, goals_.hex_jacobian - quality.scaled_jacobian)) +
-           (is_hopeless_[q] != 0 ? 0.0
-                                 : square(std::max(0.0, goals_.face_split - quality.face_split)));
+    const Column c = search_.column(q);
+    return square(std::max(0.0, wanted_quad_jacobian - scaled_jacobian(c.base))) +
+           square(std::max(0.0, wanted_hex_jacobian - scaled_jacobian(c, search_.levels()))) +
+           (is_hopeless_[q] != 0
+                ? 0.0
+                : square(std::max(0.0, wanted_face_split - face_split(c, search_.levels()))));
   }
 
   // Vertices of short columns that may still move, in order of their numbers.
@@ -144,8 +124,10 @@ class Polisher {
     std::vector<int> vertices;
     for (std::size_t q = 0; q < shortfall_.size(); ++q) {
       if (shortfall_[q] <= 0.0) continue;
-      for (const int v : quads_.quads[q]) {
-        if (quads_.loop_of_vertex[v] < 0 && step_[v] > smallest_step) vertices.push_back(v);
+      for (const int v : search_.quads().quads[q]) {
+        if (search_.quads().loop_of_vertex[v] < 0 && step_[v] > smallest_step) {
+          vertices.push_back(v);
+        }
       }
     }
     std::sort(vertices.begin(), vertices.end());
@@ -155,16 +137,13 @@ class Polisher {
 
   double cost_around(int v) const {
     double sum = 0.0;
-    for (int i = first_quad_[v]; i < first_quad_[v + 1]; ++i) {
-      const int q = quads_of_vertex_[i];
-      sum += shortfall(q) + skew_weight * skew(q);
-    }
+    for (const int q : search_.columns_around(v)) sum += shortfall(q) + skew_weight * skew(q);
     return sum;
   }
 
   // Sum of the squared cosines of a quad's corner angles.
   double skew(int q) const {
-    const auto p = corners_of(quads_, q);
+    const auto p = corners_of(search_.quads(), q);
     double sum = 0.0;
     for (int k = 0; k < 4; ++k) {
       sum += square((p[(k + 1) % 4] - p[k]).normalized().dot((p[(k + 3) % 4] - p[k]).normalized()));
@@ -175,94 +154,116 @@ class Polisher {
   // Least quality around v in the limit of a thin wall, as far as it matters.
   double thin_quality_around(int v) const {
     double least = enough_thin_quality;
-    for (int i = first_quad_[v]; i < first_quad_[v + 1]; ++i) {
-      least = std::min(least, flat_quality(column(quads_of_vertex_[i])));
+    for (const int q : search_.columns_around(v)) {
+      least = std::min(least, flat_quality(search_.column(q)));
     }
     return least;
   }
 
-  // Whether a column around v that had face tets has none now.
-  bool loses_face_tets(int v) const {
-    for (int i = first_quad_[v]; i < first_quad_[v + 1]; ++i) {
-      const int q = quads_of_vertex_[i];
-      if (has_face_tets_[q] != 0 && !has_face_tets(column(q), shape_.plan.levels)) return true;
-    }
-    return false;
+  bool improve(int v) {
+    const double thin_quality = thin_quality_around(v);
+    const bool improved = search_.improve(
+        v, step_[v], [this](int w) { return cost_around(w); },
+        [&](int w) { return thin_quality_around(w) >= thin_quality; });
+    if (!improved) return false;
+    for (const int q : search_.columns_around(v)) shortfall_[q] = shortfall(q);
+    return true;
   }
 
-  double shortest_edge(int v) const {
-    double shortest = std::numeric_limits<double>::max();
-    for (int i = first_quad_[v]; i < first_quad_[v + 1]; ++i) {
-      const auto& quad = quads_.quads[quads_of_vertex_[i]];
-      for (int k = 0; k < 4; ++k) {
-        if (quad[k] != v && quad[(k + 1) % 4] != v) continue;
-        const Vec3& a = quads_.points[quad[k]];
-        shortest = std::min(shortest, (a - quads_.points[quad[(k + 1) % 4]]).norm());
+  ColumnSearch& search_;
+  const std::vector<char>& is_hopeless_;  // #Q faces between layers are not asked to be split
+  std::vector<double> shortfall_;
+  std::vector<double> step_;
+};
+
+/// Raises the worst hexes further by evening out their surroundings, as far as no faces are lost to
+/// OpenFOAM: minimises the sum of a high power of what the corners of the hexes lack.
+class Evener {
+ public:
+  Evener(ColumnSearch& search, const std::vector<char>& is_hopeless, double split_weight)
+      : search_(search),
+        is_hopeless_(is_hopeless),
+        split_weight_(split_weight),
+        least_edge_(search.quads().points.size(), 0.0) {}
+
+  void run(std::vector<char>& moved) {
+    const std::vector<int> vertices = vertices_around_poor_columns();
+    if (static_cast<double>(vertices.size()) > most_evened * static_cast<double>(moved.size())) {
+      return;
+    }
+    for (const int v : vertices) least_edge_[v] = least_shortening * search_.shortest_edge(v);
+    for (double step = first_even_step; step > smallest_even_step; step *= 0.5) {
+      double before = std::numeric_limits<double>::max();
+      for (int i = 0; i < most_even_sweeps; ++i) {
+        const double cost = sweep(vertices, step, moved);
+        if (cost > enough_decrease * before) break;
+        before = cost;
       }
     }
-    return shortest;
   }
 
-  // Takes the best of a ring of moves and a ring of tilts; halves the steps where none helps.
-  bool improve(int v) {
-    const SurfacePoint place = places_[v];
-    const Vec3 direction = directions_[v];
-    const Vec3 e1 = direction.unitOrthogonal();
-    const Vec3 e2 = direction.cross(e1);
-    const double move = first_move * step_[v] * shortest_edge(v);
-    const double tilt = first_tilt * step_[v];
-    const double thin_quality = thin_quality_around(v);
-    double best = cost_around(v) * (1.0 - 1e-6);  // a gain below that is not worth a sweep
-    SurfacePoint best_place = place;
-    Vec3 best_direction = direction;
-    bool found = false;
-    for (int i = 0; i < 2 * step_directions; ++i) {
-      const double angle = 2.0 * std::numbers::pi * i / step_directions;
-      const Vec3 tangent = std::cos(angle) * e1 + std::sin(angle) * e2;
-      const bool moves = i < step_directions;
-      set(v, moves ? projector_.project(place.position + move * tangent, place.face) : place,
-          moves ? direction : (direction + tilt * tangent).normalized());
+ private:
+  double sweep(const std::vector<int>& vertices, double step, std::vector<char>& moved) {
+    double sum = 0.0;
+    search_.turn_rings();
+    for (const int v : vertices) {
       const double cost = cost_around(v);
-      if (cost >= best || thin_quality_around(v) < thin_quality || loses_face_tets(v)) continue;
-      best = cost;
-      best_place = places_[v];
-      best_direction = directions_[v];
-      found = true;
+      if (cost > good_cost && improve(v, step)) moved[v] = 1;
+      sum += cost;
     }
-    set(v, best_place, best_direction);
-    if (found) {
-      accept(v);
-    } else {
-      step_[v] *= 0.5;
-    }
-    return found || step_[v] > smallest_step;
+    return sum;
   }
 
-  void set(int v, const SurfacePoint& place, const Vec3& direction) {
-    places_[v] = place;
-    quads_.points[v] = place.position;
-    directions_[v] = direction;
-  }
-
-  void accept(int v) {
-    moved_[v] = 1;
-    for (int i = first_quad_[v]; i < first_quad_[v + 1]; ++i) {
-      shortfall_[quads_of_vertex_[i]] = shortfall(quads_of_vertex_[i]);
+  std::vector<int> vertices_around_poor_columns() const {
+    const auto& quads = search_.quads().quads;
+    std::vector<char> in_region(quads.size());
+    parallel_for(quads.size(), [&](std::size_t q) {
+      const Column column = search_.column(static_cast<int>(q));
+      const bool is_poor = scaled_jacobian(column, search_.levels()) < poor_jacobian ||
+                           (is_hopeless_[q] == 0 && !has_face_tets(column, search_.levels()));
+      in_region[q] = is_poor ? 1 : 0;
+    });
+    std::vector<char> near(search_.quads().points.size(), 0);
+    for (int ring = 0; ring <= even_rings; ++ring) {
+      for (std::size_t q = 0; q < quads.size(); ++q) {
+        if (in_region[q] == 0) continue;
+        for (const int v : quads[q]) near[v] = 1;
+      }
+      for (std::size_t q = 0; q < quads.size(); ++q) {
+        const auto is_near = [&](int v) { return near[v] != 0; };
+        if (std::any_of(quads[q].begin(), quads[q].end(), is_near)) in_region[q] = 1;
+      }
     }
+    std::vector<int> vertices;
+    for (std::size_t v = 0; v < near.size(); ++v) {
+      if (near[v] != 0 && search_.quads().loop_of_vertex[v] < 0) {
+        vertices.push_back(static_cast<int>(v));
+      }
+    }
+    return vertices;
   }
 
-  QuadMesh& quads_;
-  std::vector<SurfacePoint>& places_;
-  std::vector<Vec3>& directions_;
-  const SurfaceProjector& projector_;
-  const WallShape& shape_;
-  std::vector<int> first_quad_, quads_of_vertex_;
-  std::vector<char> is_hopeless_;    // #Q faces between layers are not asked to be split
-  std::vector<char> has_face_tets_;  // #Q
-  std::vector<double> shortfall_;
-  Goals goals_ = first_goals;
-  std::vector<double> step_;
-  std::vector<char> moved_;
+  double cost_around(int v) const {
+    double sum = 0.0;
+    for (const int q : search_.columns_around(v)) {
+      const Column column = search_.column(q);
+      sum += corner_deficit(column, search_.levels());
+      if (is_hopeless_[q] != 0) continue;
+      sum += sixteenth_power(split_weight_ * (1.0 - face_split(column, search_.levels())));
+    }
+    return sum;
+  }
+
+  bool improve(int v, double step) {
+    return search_.improve(
+        v, step, [this](int w) { return cost_around(w); },
+        [this](int w) { return search_.shortest_edge(w) >= least_edge_[w]; });
+  }
+
+  ColumnSearch& search_;
+  const std::vector<char>& is_hopeless_;
+  double split_weight_;
+  std::vector<double> least_edge_;  // #V where vertices may move
 };
 
 }  // namespace
@@ -270,7 +271,24 @@ class Polisher {
 PolishResult polish(QuadMesh& quads, std::vector<SurfacePoint>& places,
                     std::vector<Vec3>& directions, const SurfaceProjector& projector,
                     const WallShape& shape) {
-  return Polisher(quads, places, directions, projector, shape).run();
+  ColumnSearch search(quads, places, directions, projector, shape);
+  PolishResult result;
+  std::vector<char> moved(quads.points.size(), 0);
+  const std::vector<char> is_hopeless = hopeless_columns(search);
+  Mender(search, is_hopeless).run(moved, result);
+  Evener(search, is_hopeless, least_split_weight).run(moved);
+  result.moved = static_cast<int>(std::count(moved.begin(), moved.end(), 1));
+  return result;
+}
+
+void favour_face_tets(QuadMesh& quads, std::vector<SurfacePoint>& places,
+                      std::vector<Vec3>& directions, const SurfaceProjector& projector,
+                      const WallShape& shape, double share) {
+  ColumnSearch search(quads, places, directions, projector, shape);
+  std::vector<char> moved(quads.points.size(), 0);
+  Evener(search, hopeless_columns(search),
+         least_split_weight + share * (greatest_split_weight - least_split_weight))
+      .run(moved);
 }
 
 }  // namespace hexwall

@@ -29,6 +29,8 @@ constexpr double least_ratio = 1e-3;
 constexpr double greatest_share_of_extent = 0.5;
 // A change of thickness along the surface by at most this slope keeps the skin smooth.
 constexpr double greatest_slope = 0.3;
+// Relative: rounding is no violation, or there would be no end on very short edges.
+constexpr double slope_tolerance = 1e-12;
 // A vertex counts as reduced below this share of the thickness asked for.
 constexpr double reduced_below = 0.99;
 // Collisions are looked for at this multiple of the thickness: what passes leaves a gap, whichever
@@ -52,7 +54,7 @@ class Fitter {
     for (const auto& [a, b] : edges_) {
       const double length = (quads.points[a] - quads.points[b]).norm();
       const double wanted = std::abs(result_.asked[a] - result_.asked[b]);
-      room_.push_back(std::max(greatest_slope * length, wanted) * (1.0 + 1e-12));
+      room_.push_back(std::max(greatest_slope * length, wanted));
     }
   }
 
@@ -114,7 +116,7 @@ class Fitter {
     std::vector<char> bad(quads_.quads.size());
     for (;;) {
       parallel_for(bad.size(), [&](std::size_t q) {
-        bad[q] = column_quality(column(q), levels_).scaled_jacobian < bound_[q] ? 1 : 0;
+        bad[q] = scaled_jacobian(column(q), levels_) < bound_[q] ? 1 : 0;
       });
       std::vector<int> marked;
       for (std::size_t q = 0; q < bad.size(); ++q) {
@@ -213,9 +215,10 @@ class Fitter {
       changed = false;
       for (std::size_t e = 0; e < edges_.size(); ++e) {
         const auto [a, b] = edges_[e];
-        if (std::abs(t[a] - t[b]) <= room_[e]) continue;
-        const double most = std::min(t[a], t[b]) + room_[e] / (1.0 + 1e-12);
-        t[t[a] > t[b] ? a : b] = most;
+        const double most = std::min(t[a], t[b]) + room_[e];
+        double& greater = t[a] > t[b] ? t[a] : t[b];
+        if (greater <= most * (1.0 + slope_tolerance)) continue;
+        greater = most;
         changed = true;
       }
     }
