@@ -187,6 +187,7 @@ Json wall_json(const PipelineResult& r) {
                {"layers", r.layers.layers()},
                {"zones", std::move(zones)},
                {"min_scaled_jacobian", r.min_wall_scaled_jacobian},
+               {"columns_without_face_tets", r.columns_without_face_tets},
                {"smoothed_directions", r.smoothed_directions}};
   if (r.outward) json["outward"] = side_json(r, *r.outward);
   if (r.inward) json["inward"] = side_json(r, *r.inward);

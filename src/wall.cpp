@@ -168,16 +168,30 @@ WallShape fit_sides(PipelineResult& r, const std::vector<SurfacePoint>& places,
   return shape;
 }
 
-// Whether there are columns without face tets, but few enough for polishing.
-bool lacks_face_tets(const QuadMesh& quads, const std::vector<Vec3>& directions,
-                     const WallShape& shape) {
+int columns_without_face_tets(const QuadMesh& quads, const std::vector<Vec3>& directions,
+                              const WallShape& shape) {
   std::vector<char> lacks(quads.quads.size());
   parallel_for(lacks.size(), [&](std::size_t q) {
     const Column column = column_of(quads, static_cast<int>(q), directions, shape);
     lacks[q] = has_face_tets(column, shape.plan.levels) ? 0 : 1;
   });
-  const auto count = static_cast<double>(std::count(lacks.begin(), lacks.end(), 1));
-  return count > 0.0 && count <= most_lacking * static_cast<double>(lacks.size());
+  return static_cast<int>(std::count(lacks.begin(), lacks.end(), 1));
+}
+
+// Thickness that fits, and polishing again while faces of a few columns cannot be split since they
+// became thinner.
+WallShape fit_and_polish(PipelineResult& r, std::vector<SurfacePoint>& places,
+                         std::vector<Vec3>& directions, const SurfaceProjector& projector) {
+  WallShape shape = fit_sides(r, places, directions);
+  for (int round = 1;; ++round) {
+    r.columns_without_face_tets = columns_without_face_tets(r.quads, directions, shape);
+    if (round > most_fits || r.columns_without_face_tets == 0 ||
+        r.columns_without_face_tets > most_lacking * static_cast<double>(r.quads.quads.size())) {
+      return shape;
+    }
+    favour_face_tets(r.quads, places, directions, projector, shape, round / double{most_fits});
+    shape = fit_sides(r, places, directions);
+  }
 }
 
 void check_strictness(const PipelineResult& r, const ThicknessResult& result,
@@ -223,11 +237,7 @@ void make_wall(PipelineResult& r, std::vector<SurfacePoint>& places,
   WallShape shape = shape_of(r, places);
   std::vector<Vec3> directions = find_directions(r, places, shape);
   r.polishing = polish(r.quads, places, directions, projector, shape);
-  shape = fit_sides(r, places, directions);
-  for (int round = 1; round <= most_fits && lacks_face_tets(r.quads, directions, shape); ++round) {
-    favour_face_tets(r.quads, places, directions, projector, shape, round / double{most_fits});
-    shape = fit_sides(r, places, directions);
-  }
+  shape = fit_and_polish(r, places, directions, projector);
   check_strictness(r);
   r.target_edge = target_edges(r, places);
   r.quad_quality = quad_quality(r.quads, r.target_edge);

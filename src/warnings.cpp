@@ -52,6 +52,12 @@ void add_warnings(PipelineResult& r) {
         100.0 * missing_area, corners[0].x(), corners[0].y(), corners[0].z(),
         std::sqrt(0.5 * doubled_area_vector(corners).norm())));
   }
+  if (r.columns_without_face_tets > 0) {
+    r.warnings.push_back(fmt::format(
+        "{} of {} quads are warped too much for layers as thin: checkMesh -allGeometry will report "
+        "their face tets, which particle tracking needs. Fewer layers or a smaller --size avoid it",
+        r.columns_without_face_tets, r.quads.quads.size()));
+  }
   if (r.outward) add_thickness_warning(r, *r.outward, "wall is");
   if (r.inward) add_thickness_warning(r, *r.inward, "layers in the lumen are");
 }
