@@ -87,6 +87,7 @@ struct PipelineResult {
   std::vector<double> radius;   ///< #V of `quads`: local radius of the vessel, see local_radius.h
   int smoothed_directions = 0;  ///< quad vertices not extruded along the surface's normal
   PolishResult polishing;
+  int evened_vertices = 0;            ///< see `even_out`
   int columns_without_face_tets = 0;  ///< see `has_face_tets`
   QuadQuality quad_quality;
   std::optional<ThicknessResult> outward, inward;  ///< as in `options`

@@ -158,7 +158,8 @@ Json quads_json(const PipelineResult& r) {
           {"polished",
            {{"columns_before", r.polishing.columns_before},
             {"columns_after", r.polishing.columns_after},
-            {"vertices_moved", r.polishing.moved}}}};
+            {"vertices_moved", r.polishing.moved},
+            {"vertices_evened", r.evened_vertices}}}};
 }
 
 Json side_json(const PipelineResult& r, const ThicknessResult& side) {

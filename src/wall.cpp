@@ -178,20 +178,40 @@ int columns_without_face_tets(const QuadMesh& quads, const std::vector<Vec3>& di
   return static_cast<int>(std::count(lacks.begin(), lacks.end(), 1));
 }
 
-// Thickness that fits, and polishing again while faces of a few columns cannot be split since they
-// became thinner.
-WallShape fit_and_polish(PipelineResult& r, std::vector<SurfacePoint>& places,
-                         std::vector<Vec3>& directions, const SurfaceProjector& projector) {
-  WallShape shape = fit_sides(r, places, directions);
-  for (int round = 1;; ++round) {
+// Evens out poor columns and fits the thickness; again while faces of a few columns cannot be
+// split.
+WallShape even_out_and_fit(PipelineResult& r, std::vector<SurfacePoint>& places,
+                           std::vector<Vec3>& directions, const SurfaceProjector& projector) {
+  WallShape shape = shape_of(r, places);
+  for (int round = 0;; ++round) {
+    const double face_tets = round / double{most_fits};
+    r.evened_vertices += even_out(r.quads, places, directions, projector, shape, face_tets);
+    shape = fit_sides(r, places, directions);
     r.columns_without_face_tets = columns_without_face_tets(r.quads, directions, shape);
-    if (round > most_fits || r.columns_without_face_tets == 0 ||
+    if (round == most_fits || r.columns_without_face_tets == 0 ||
         r.columns_without_face_tets > most_lacking * static_cast<double>(r.quads.quads.size())) {
       return shape;
     }
-    favour_face_tets(r.quads, places, directions, projector, shape, round / double{most_fits});
-    shape = fit_sides(r, places, directions);
   }
+}
+
+// Where the quads are far too large for the surface, evening out may fold them.
+WallShape find_thickness(PipelineResult& r, std::vector<SurfacePoint>& places,
+                         std::vector<Vec3>& directions, const SurfaceProjector& projector) {
+  const QuadMesh quads = r.quads;
+  const std::vector<SurfacePoint> places_before = places;
+  const std::vector<Vec3> directions_before = directions;
+  try {
+    return even_out_and_fit(r, places, directions, projector);
+  } catch (const MeshingError&) {
+    r.quads = quads;
+    places = places_before;
+    directions = directions_before;
+    r.evened_vertices = 0;
+  }
+  WallShape shape = fit_sides(r, places, directions);
+  r.columns_without_face_tets = columns_without_face_tets(r.quads, directions, shape);
+  return shape;
 }
 
 void check_strictness(const PipelineResult& r, const ThicknessResult& result,
@@ -237,7 +257,7 @@ void make_wall(PipelineResult& r, std::vector<SurfacePoint>& places,
   WallShape shape = shape_of(r, places);
   std::vector<Vec3> directions = find_directions(r, places, shape);
   r.polishing = polish(r.quads, places, directions, projector, shape);
-  shape = fit_and_polish(r, places, directions, projector);
+  shape = find_thickness(r, places, directions, projector);
   check_strictness(r);
   r.target_edge = target_edges(r, places);
   r.quad_quality = quad_quality(r.quads, r.target_edge);

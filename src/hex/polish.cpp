@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <Eigen/Geometry>
 
@@ -32,21 +33,23 @@ constexpr int most_sweeps = 60;
 
 // Evening out: columns with hexes below this are evened out with the rings of vertices around them,
 // unless that is much of the mesh.
-constexpr double poor_jacobian = 0.65;
+constexpr double poor_jacobian = 0.62;
 constexpr int even_rings = 3;
 constexpr double most_evened = 0.2;
 // A face that is just split counts like a scaled Jacobian of one less this.
 constexpr double least_split_weight = 0.45;
 constexpr double greatest_split_weight = 1.0;
+// Keeps good quads square: weighs like corners with a scaled Jacobian of about 0.7.
+constexpr double even_skew_weight = 1e-7;
 // No edge gets shorter than this share of the shortest one around its end.
 constexpr double least_shortening = 0.5;
-// Vertices stay, for the while, where no corner around them is worse than about 0.75.
-constexpr double good_cost = 2e-10;
+// Vertices stay, for the while, where the corners around them are better than about 0.72.
+constexpr double good_cost = 2e-9;
 constexpr double first_even_step = 0.5;
-constexpr double smallest_even_step = 0.01;
+constexpr double smallest_even_step = 0.03;
 // Steps are halved after so many sweeps, or where a sweep leaves more than this share of the cost.
-constexpr int most_even_sweeps = 20;
-constexpr double enough_decrease = 0.97;
+constexpr int most_even_sweeps = 12;
+constexpr double enough_decrease = 0.9;
 
 double square(double x) {
   return x * x;
@@ -54,6 +57,16 @@ double square(double x) {
 
 double sixteenth_power(double x) {
   return square(square(square(square(x))));
+}
+
+// Sum of the squared cosines of the corner angles of a column's base.
+double skew(const Column& column) {
+  const auto& p = column.base;
+  double sum = 0.0;
+  for (int k = 0; k < 4; ++k) {
+    sum += square((p[(k + 1) % 4] - p[k]).normalized().dot((p[(k + 3) % 4] - p[k]).normalized()));
+  }
+  return sum;
 }
 
 /// Columns whose faces between layers are not asked to be split: those that are warped far too much
@@ -77,9 +90,9 @@ std::vector<char> hopeless_columns(const ColumnSearch& search) {
 /// Brings the columns that fall short of the goals up to them.
 class Mender {
  public:
-  Mender(ColumnSearch& search, const std::vector<char>& is_hopeless)
+  Mender(ColumnSearch& search, std::vector<char> is_hopeless)
       : search_(search),
-        is_hopeless_(is_hopeless),
+        is_hopeless_(std::move(is_hopeless)),
         shortfall_(search.quads().quads.size()),
         step_(search.quads().points.size(), 1.0) {}
 
@@ -137,17 +150,8 @@ class Mender {
 
   double cost_around(int v) const {
     double sum = 0.0;
-    for (const int q : search_.columns_around(v)) sum += shortfall(q) + skew_weight * skew(q);
-    return sum;
-  }
-
-  // Sum of the squared cosines of a quad's corner angles.
-  double skew(int q) const {
-    const auto p = corners_of(search_.quads(), q);
-    double sum = 0.0;
-    for (int k = 0; k < 4; ++k) {
-      sum += square((p[(k + 1) % 4] - p[k]).normalized().dot((p[(k + 3) % 4] - p[k]).normalized()));
-    }
+    for (const int q : search_.columns_around(v))
+      sum += shortfall(q) + skew_weight * skew(search_.column(q));
     return sum;
   }
 
@@ -171,7 +175,7 @@ class Mender {
   }
 
   ColumnSearch& search_;
-  const std::vector<char>& is_hopeless_;  // #Q faces between layers are not asked to be split
+  std::vector<char> is_hopeless_;  // #Q faces between layers are not asked to be split
   std::vector<double> shortfall_;
   std::vector<double> step_;
 };
@@ -180,9 +184,9 @@ class Mender {
 /// OpenFOAM: minimises the sum of a high power of what the corners of the hexes lack.
 class Evener {
  public:
-  Evener(ColumnSearch& search, const std::vector<char>& is_hopeless, double split_weight)
+  Evener(ColumnSearch& search, std::vector<char> is_hopeless, double split_weight)
       : search_(search),
-        is_hopeless_(is_hopeless),
+        is_hopeless_(std::move(is_hopeless)),
         split_weight_(split_weight),
         least_edge_(search.quads().points.size(), 0.0) {}
 
@@ -247,7 +251,7 @@ class Evener {
     double sum = 0.0;
     for (const int q : search_.columns_around(v)) {
       const Column column = search_.column(q);
-      sum += corner_deficit(column, search_.levels());
+      sum += corner_deficit(column, search_.levels()) + even_skew_weight * skew(column);
       if (is_hopeless_[q] != 0) continue;
       sum += sixteenth_power(split_weight_ * (1.0 - face_split(column, search_.levels())));
     }
@@ -261,7 +265,7 @@ class Evener {
   }
 
   ColumnSearch& search_;
-  const std::vector<char>& is_hopeless_;
+  std::vector<char> is_hopeless_;
   double split_weight_;
   std::vector<double> least_edge_;  // #V where vertices may move
 };
@@ -274,21 +278,19 @@ PolishResult polish(QuadMesh& quads, std::vector<SurfacePoint>& places,
   ColumnSearch search(quads, places, directions, projector, shape);
   PolishResult result;
   std::vector<char> moved(quads.points.size(), 0);
-  const std::vector<char> is_hopeless = hopeless_columns(search);
-  Mender(search, is_hopeless).run(moved, result);
-  Evener(search, is_hopeless, least_split_weight).run(moved);
+  Mender(search, hopeless_columns(search)).run(moved, result);
   result.moved = static_cast<int>(std::count(moved.begin(), moved.end(), 1));
   return result;
 }
 
-void favour_face_tets(QuadMesh& quads, std::vector<SurfacePoint>& places,
-                      std::vector<Vec3>& directions, const SurfaceProjector& projector,
-                      const WallShape& shape, double share) {
+int even_out(QuadMesh& quads, std::vector<SurfacePoint>& places, std::vector<Vec3>& directions,
+             const SurfaceProjector& projector, const WallShape& shape, double face_tets) {
   ColumnSearch search(quads, places, directions, projector, shape);
   std::vector<char> moved(quads.points.size(), 0);
   Evener(search, hopeless_columns(search),
-         least_split_weight + share * (greatest_split_weight - least_split_weight))
+         least_split_weight + face_tets * (greatest_split_weight - least_split_weight))
       .run(moved);
+  return static_cast<int>(std::count(moved.begin(), moved.end(), 1));
 }
 
 }  // namespace hexwall

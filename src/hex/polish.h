@@ -16,20 +16,20 @@ struct PolishResult {
 
 /// Improves the few columns of hexes that would come out bad, near zeros on strongly curved
 /// crotches mostly: moves their vertices on the surface and tilts their directions, by pattern
-/// search. First columns that fall short of what is needed, alone; then columns that are still poor
-/// together with the rings of quads around them, as eight quads that meet at a zero need room.
-/// Vertices of boundary loops stay where they are.
+/// search on the sum of the squared shortfalls of scaled Jacobians and of how faces between layers
+/// can be split. All other vertices stay. Vertices of boundary loops stay where they are.
 /// \param places #V triangle and position of each vertex of `quads`; updated with `quads.points`.
 /// \param directions #V unit vectors; updated. \param shape the wall as asked for.
 PolishResult polish(QuadMesh& quads, std::vector<SurfacePoint>& places,
                     std::vector<Vec3>& directions, const SurfaceProjector& projector,
                     const WallShape& shape);
 
-/// Polishes further, for columns whose faces OpenFOAM cannot split (`has_face_tets`), at the cost
-/// of their scaled Jacobians. \param shape the wall as it is. \param share from 0 to 1 of how far
-/// to go.
-void favour_face_tets(QuadMesh& quads, std::vector<SurfacePoint>& places,
-                      std::vector<Vec3>& directions, const SurfaceProjector& projector,
-                      const WallShape& shape, double share);
+/// Raises the worst hexes further: columns that are poor still are evened out together with the
+/// rings of quads around them, as eight quads that meet at a zero need room. Minimises the sum of a
+/// high power of what the corners of all hexes there lack, by the same search.
+/// \param shape the wall as it is. \param face_tets from 0 to 1: weight of faces that OpenFOAM can
+/// split (`has_face_tets`), at the cost of scaled Jacobians. \return vertices moved or turned.
+int even_out(QuadMesh& quads, std::vector<SurfacePoint>& places, std::vector<Vec3>& directions,
+             const SurfaceProjector& projector, const WallShape& shape, double face_tets);
 
 }  // namespace hexwall
