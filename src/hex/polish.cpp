@@ -46,7 +46,7 @@ constexpr double least_shortening = 0.5;
 // Vertices stay, for the while, where the corners around them are better than about 0.72.
 constexpr double good_cost = 2e-9;
 constexpr double first_even_step = 0.5;
-constexpr double smallest_even_step = 0.03;
+constexpr int even_halvings = 5;
 // Steps are halved after so many sweeps, or where a sweep leaves more than this share of the cost.
 constexpr int most_even_sweeps = 12;
 constexpr double enough_decrease = 0.9;
@@ -196,7 +196,8 @@ class Evener {
       return;
     }
     for (const int v : vertices) least_edge_[v] = least_shortening * search_.shortest_edge(v);
-    for (double step = first_even_step; step > smallest_even_step; step *= 0.5) {
+    double step = first_even_step;
+    for (int halving = 0; halving < even_halvings; ++halving, step *= 0.5) {
       double before = std::numeric_limits<double>::max();
       for (int i = 0; i < most_even_sweeps; ++i) {
         const double cost = sweep(vertices, step, moved);
