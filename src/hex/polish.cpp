@@ -42,7 +42,7 @@ constexpr double greatest_split_weight = 1.0;
 // Keeps good quads square: weighs like corners with a scaled Jacobian of about 0.7.
 constexpr double even_skew_weight = 1e-7;
 // No edge gets shorter than this share of the shortest one around its end.
-constexpr double least_shortening = 0.5;
+constexpr double least_shortening = 0.8;
 // Vertices stay, for the while, where the corners around them are better than about 0.72.
 constexpr double good_cost = 2e-9;
 constexpr double first_even_step = 0.5;
