@@ -10,6 +10,7 @@
 
 #include "core/errors.h"
 #include "flow/cross_section.h"
+#include "lumen/cell_faces.h"
 
 namespace hexwall {
 namespace {
@@ -37,10 +38,18 @@ void check_options(const FlowOptions& options) {
   if (options.pulsatile && options.cycles < 1) throw UsageError("--cycles must be 1 or more");
 }
 
-const CellPatch& patch_named(const CellMesh& mesh, const std::string& name) {
-  for (const CellPatch& patch : mesh.patches)
-    if (patch.name == name) return patch;
-  throw Error(ExitCode::internal, "the opening '" + name + "' is no patch of the mesh");
+/// Faces of a patch in the order in which OpenFOAM gets them: by cell.
+std::vector<CellFace> faces_of_patch(const CellMesh& mesh, const std::string& name) {
+  const auto found = std::find_if(mesh.patches.begin(), mesh.patches.end(),
+                                  [&](const CellPatch& patch) { return patch.name == name; });
+  if (found == mesh.patches.end())
+    throw Error(ExitCode::internal, "the opening '" + name + "' is no patch of the mesh");
+  std::vector<CellFace> faces;
+  for (const LocalFace& face :
+       faces_of_patches(mesh, neighbours_of_cells(mesh))[found - mesh.patches.begin()]) {
+    faces.push_back({cell_face(mesh, face.cell, face.local), face.cell});
+  }
+  return faces;
 }
 
 const LumenOpening& inlet_of(const std::vector<LumenOpening>& openings) {
@@ -188,7 +197,7 @@ FlowSetup set_up_flow(const CellMesh& mesh, const std::vector<LumenOpening>& ope
   setup.outlets = outlets_of(openings, options.split, metres_per_unit);
   std::vector<Vec3> points = mesh.points;
   for (Vec3& p : points) p *= metres_per_unit;
-  const CrossSection section(points, patch_named(mesh, setup.inlet).faces);
+  const CrossSection section(points, faces_of_patch(mesh, setup.inlet));
   setup.inlet_area = section.area();
   setup.inlet_diameter = 2.0 * std::sqrt(section.area() / pi);
   setup.flow_rate = mean_flow_rate(options, setup);
