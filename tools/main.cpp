@@ -17,6 +17,7 @@
 
 #include "check_command.h"
 #include "generate_command.h"
+#include "lumen_command.h"
 #include "mesh_command.h"
 #include "report.h"
 
@@ -50,6 +51,7 @@ int run(int argc, char** argv) {
       "4 topology of the surface, 5 geometry of the surface, 6 no valid mesh, 7 output.");
   const std::vector<Command> commands{
       add_mesh(app),
+      add_lumen(app),
       add_check(app),
       add_generate(app),
   };
