@@ -15,10 +15,10 @@
 #include "exporters/output_file.h"
 #include "flow/flow_report.h"
 #include "flow/flow_setup.h"
-#include "lumen/lumen.h"
+#include "lumen/lumen_report.h"
+#include "lumen_command.h"
 #include "output_folder.h"
 #include "report.h"
-#include "surface_command.h"
 
 namespace hexwall {
 namespace {
@@ -26,9 +26,7 @@ namespace {
 constexpr double cubic_metres_per_millilitre = 1e-6;
 
 struct CaseOptions {
-  SurfaceCommandOptions surface;
-  LumenOptions lumen;
-  std::string mesh = "hybrid";
+  LumenCommandOptions lumen;
   std::string flow = "steady";
   std::string fluid = "newtonian";
   std::optional<double> flow_rate;  ///< mL/s
@@ -71,43 +69,36 @@ FlowOptions flow_options(const CaseOptions& c) {
   return options;
 }
 
-nlohmann::ordered_json case_json(const CaseOptions& c, const LumenResult& lumen,
-                                 const FlowSetup& setup) {
-  return {{"hexwall_version", version()},
-          {"surface", c.surface.input.surface},
-          {"units", c.surface.input.units},
-          {"metres_per_unit", metres_per_unit(c.surface.input.units)},
-          {"mesh",
-           {{"kind", c.mesh},
-            {"cells", lumen.mesh.cells()},
-            {"points", lumen.mesh.points.size()},
-            {"hexahedra", lumen.counts.hexes},
-            {"pyramids", lumen.counts.pyramids},
-            {"tetrahedra", lumen.counts.tets}}},
-          {"processes", c.processes},
-          {"flow", flow_json(setup)}};
+// The report of the mesh, and what flows.
+std::string report(LumenRun& run, const FlowSetup& setup, const InputOptions& input) {
+  run.surface.context.prepared = &run.surface.prepared;
+  nlohmann::ordered_json json = make_report(run.surface.result, run.surface.context);
+  json["lumen"] = lumen_json(run.lumen);
+  json["flow"] = flow_json(setup);
+  json["flow"]["metres_per_unit"] = metres_per_unit(input.units);
+  return json.dump(2) + "\n";
 }
 
 ExitCode run_case(const CaseOptions& c) {
-  spdlog::logger log = make_logger(c.surface);
-  const auto limit = limit_threads(c.surface);
+  const SurfaceCommandOptions& surface = c.lumen.surface;
+  if (surface.layers.side != "in")
+    throw UsageError("a case is of the lumen alone: --side in, which is the default");
+  spdlog::logger log = make_logger(surface);
+  const auto limit = limit_threads(surface);
   const FlowOptions flow = flow_options(c);
-  OutputFolder folder(c.surface.output);
-  SurfaceRun run = run_surface(c.surface);
-  LumenOptions lumen_options = c.lumen;
-  lumen_options.mesh = c.mesh == "tet" ? LumenOptions::Mesh::tet : LumenOptions::Mesh::hybrid;
-  const LumenResult lumen = make_lumen(run.result, lumen_options);
-  const double metres = metres_per_unit(c.surface.input.units);
-  const FlowSetup setup = set_up_flow(lumen.mesh, lumen.openings, flow, metres);
-  write_openfoam_case(folder.staging(), lumen.mesh, setup, {metres, c.processes});
-  write_output_file(folder.staging() / "case.json", case_json(c, lumen, setup).dump(2) + "\n");
+  OutputFolder folder(surface.output);
+  LumenRun run = run_lumen(c.lumen);
+  const CellMesh& mesh = run.lumen.mesh;
+  const double metres = metres_per_unit(surface.input.units);
+  const FlowSetup setup = set_up_flow(mesh, run.lumen.openings, flow, metres);
+  write_openfoam_case(folder.staging(), mesh, setup, {metres, c.processes});
+  write_output_file(folder.staging() / "report.json", report(run, setup, surface.input));
   folder.commit();
-  log_notes(log, run.prepared);
-  log.info("  {:<10} {} hexahedra, {} pyramids, {} tetrahedra", "mesh", lumen.counts.hexes,
-           lumen.counts.pyramids, lumen.counts.tets);
-  for (const std::string& warning : lumen.warnings) log.info("  {:<10} {}", "warning", warning);
-  log.info("{}  {:<10} {}", flow_summary(setup), "run", (folder.path() / "Allrun").string());
-  log_times(log, run);
+  log_notes(log, run.surface.prepared);
+  log.info("{}{}{}  {:<10} {}", summary(run.surface.result, surface.input.units),
+           lumen_summary(run.lumen, surface.input.units), flow_summary(setup), "run",
+           (folder.path() / "Allrun").string());
+  log_times(log, run.surface);
   return ExitCode::success;
 }
 
@@ -129,7 +120,6 @@ void add_flow_options(CLI::App& command, CaseOptions& c) {
   add("--viscosity", c.setup.blood.viscosity,
       "Viscosity in Pa s; of carreau, that at infinite shear rate")
       ->capture_default_str();
-  add("--inlet", c.lumen.inlet, "Name of the inlet [the largest opening]");
   add("--split", c.split,
       "Share of each outlet, NAME=SHARE separated by commas [radius cubed: Murray]")
       ->delimiter(',');
@@ -151,16 +141,7 @@ Command add_case(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("case", "Make an OpenFOAM case of the flow in a vessel, ready to run");
   const auto c = std::make_shared<CaseOptions>();
-  c->surface.layers.side = "in";
-  add_surface_options(*command, c->surface);
-  add_layer_options(*command, c->surface.layers);
-  command->add_option("--mesh", c->mesh, "hybrid: hexes at the wall; tet: tetrahedra only")
-      ->check(CLI::IsMember({"hybrid", "tet"}))
-      ->capture_default_str();
-  command
-      ->add_option("--core-growth", c->lumen.core_growth,
-                   "Edges of tetrahedra grow by this share of the distance from the wall")
-      ->capture_default_str();
+  add_lumen_options(*command, c->lumen);
   add_flow_options(*command, *c);
   return {command, [c] { return run_case(*c); }};
 }
