@@ -44,9 +44,9 @@ std::vector<CellFace> faces_of_patch(const CellMesh& mesh, const std::string& na
                                   [&](const CellPatch& patch) { return patch.name == name; });
   if (found == mesh.patches.end())
     throw Error(ExitCode::internal, "the opening '" + name + "' is no patch of the mesh");
+  const auto of_patches = faces_of_patches(mesh, neighbours_of_cells(mesh));
   std::vector<CellFace> faces;
-  for (const LocalFace& face :
-       faces_of_patches(mesh, neighbours_of_cells(mesh))[found - mesh.patches.begin()]) {
+  for (const LocalFace& face : of_patches[found - mesh.patches.begin()]) {
     faces.push_back({cell_face(mesh, face.cell, face.local), face.cell});
   }
   return faces;
