@@ -1,6 +1,7 @@
 // The program. Sample runs:
 //
 //   hexwall mesh aneurysm.stl -o out --size 0.8 --thickness 0.5 --layers 3
+//   hexwall case aneurysm.stl -o run --re 300 && run/Allrun && hexwall shear run
 //   hexwall check carotid.vtp
 //   hexwall generate aaa -o aaa.stl
 //
@@ -21,6 +22,7 @@
 #include "lumen_command.h"
 #include "mesh_command.h"
 #include "report.h"
+#include "shear_command.h"
 
 namespace hexwall {
 namespace {
@@ -51,7 +53,8 @@ int run(int argc, char** argv) {
       "Exit codes: 0 success, 1 internal error, 2 command line, 3 unreadable input,\n"
       "4 topology of the surface, 5 geometry of the surface, 6 no valid mesh, 7 output.");
   const std::vector<Command> commands{
-      add_mesh(app), add_case(app), add_lumen(app), add_check(app), add_generate(app),
+      add_mesh(app),  add_case(app),  add_shear(app),
+      add_lumen(app), add_check(app), add_generate(app),
   };
   try {
     app.parse(argc, argv);
