@@ -2,16 +2,15 @@
 
 #include "flow/cross_section.h"
 
-#include <algorithm>
 #include <cmath>
 #include <complex>
-#include <numbers>
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include "support/cell_tube.h"
 #include "support/expect_error.h"
+#include "support/womersley.h"
 
 namespace hexwall {
 namespace {
@@ -50,32 +49,15 @@ double steady_error(const CellTube& tube) {
   return sum / section.area();
 }
 
-/// Bessel function J_n of a complex argument, by its series.
-Complex bessel(int n, Complex z) {
-  Complex term = n == 0 ? Complex(1.0) : 0.5 * z;
-  Complex sum = term;
-  for (int k = 1; k < 60; ++k) {
-    term *= -0.25 * z * z / static_cast<double>(k * (k + n));
-    sum += term;
-  }
-  return sum;
-}
-
-/// Womersley's amplitude for the flow rate cos(ωt) in a circle, mean 1.
-Complex womersley(double radius, double r, double omega_over_nu) {
-  const Complex k = std::sqrt(Complex(0.0, -omega_over_nu));  // i^{3/2} sqrt(ω/ν)
-  const Complex z = k * radius;
-  return (1.0 - bessel(0, k * r) / bessel(0, z)) / (1.0 - 2.0 * bessel(1, z) / (z * bessel(0, z)));
-}
-
 double womersley_error(const CellTube& tube, double omega_over_nu) {
   const CellDisc disc = cross_section(tube);
   const CrossSection section(disc.points, disc.faces);
   const std::vector<Complex> u = section.oscillating(omega_over_nu);
+  const Womersley exact{tube.radius_x, omega_over_nu};
   double sum = 0.0;
   for (std::size_t f = 0; f < u.size(); ++f) {
     const double r = section.face_centers()[f].norm();
-    sum += std::abs(u[f] - womersley(tube.radius_x, r, omega_over_nu)) * section.face_areas()[f];
+    sum += std::abs(u[f] - exact.velocity(r)) * section.face_areas()[f];
   }
   return sum / section.area();
 }
