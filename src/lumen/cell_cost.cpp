@@ -16,12 +16,26 @@ constexpr double limit_weight = 0.05;
 constexpr double limit_volume_ratio = 0.01;
 constexpr double limit_determinant = 0.008;  // checkMesh divides by 8, the determinant of a cube
 
+// A quad between cells whose centres are so near its corners' planes can't be split into face tets.
+constexpr double limit_split = 0.01;
+constexpr double unsplittable = 1e6;
+
 double square(double x) {
   return x * x;
 }
 
 double sixth_power(double x) {
   return square(x * x * x);
+}
+
+// Of a quad that has to be split into triangles which both centres see from their own side
+// (polyMeshTetDecomposition).
+double of_split(std::span<const Vec3> face, const Vec3& owner, const Vec3& other) {
+  const Face quad{face[0], face[1], face[2], face[3]};
+  const double height =
+      std::max(split_height(quad, 0, &owner, &other), split_height(quad, 1, &owner, &other));
+  const double share = height / (other - owner).norm();
+  return share <= 0.0 ? unsplittable * (1.0 - share) : square(limit_split / share);
 }
 
 }  // namespace
@@ -36,7 +50,8 @@ double of_face(std::span<const Vec3> face, const FaceGeometry& geometry, const C
       d.dot(geometry.area) / std::sqrt(d.squaredNorm() * geometry.area.squaredNorm());
   const double weight = std::min(below, above) / (below + above);
   const auto [less, more] = std::minmax(owner.volume, other.volume);
-  return sixth_power((1.0 - cosine) / (1.0 - limit_cosine)) +
+  const double split = face.size() == 4 ? of_split(face, owner.center, other.center) : 0.0;
+  return split + sixth_power((1.0 - cosine) / (1.0 - limit_cosine)) +
          sixth_power(skewness_between(face, geometry, owner.center, other.center) /
                      limit_skewness) +
          square(square(limit_weight / weight)) + square(limit_volume_ratio * more / less);

@@ -16,8 +16,9 @@ inline constexpr double invalid = 1e30;
 /// Faces and cells above this are worked on.
 inline constexpr double wanted = 0.25;
 
-/// Of a face between two cells: by non-orthogonality, skewness, interpolation weight and the ratio
-/// of the volumes. \param geometry `face_geometry(face)`, pointing from `owner` to `other`.
+/// Of a face between two cells: by non-orthogonality, skewness, interpolation weight, the ratio of
+/// the volumes, and whether a quad can be split into face tets. \param geometry
+/// `face_geometry(face)`, pointing from `owner` to `other`.
 double of_face(std::span<const Vec3> face, const FaceGeometry& geometry, const CellGeometry& owner,
                const CellGeometry& other);
 
