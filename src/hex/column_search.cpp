@@ -7,6 +7,8 @@
 
 #include <Eigen/Geometry>
 
+#include "core/cancel.h"
+
 namespace hexwall {
 namespace {
 
@@ -41,6 +43,7 @@ ColumnSearch::ColumnSearch(QuadMesh& quads, std::vector<SurfacePoint>& places,
 
 bool ColumnSearch::improve(int v, double step, const std::function<double(int)>& cost_around,
                            const std::function<bool(int)>& is_allowed) {
+  throw_if_cancelled();
   const SurfacePoint place = places_[v];
   const Vec3 direction = directions_[v];
   const Vec3 e1 = direction.unitOrthogonal();
