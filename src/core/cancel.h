@@ -12,10 +12,10 @@ struct Cancelled : std::runtime_error {
 };
 
 /// Makes the work of this thread cancellable while it lives: the stages of the pipeline, the
-/// preparation of surfaces and all that they call ask `is_cancelled` every few milliseconds, in
-/// their long loops too, and throw `Cancelled` once it says true. It is asked on this thread only,
-/// so it may be slow to answer (ask the time first) or throw an exception of its own, which comes
-/// out instead.
+/// preparation of surfaces, generated shapes and all that they call ask `is_cancelled` in all their
+/// long loops, and throw `Cancelled` once it says true. It is asked on this thread only, very
+/// often: where its answer takes long, let it look at the time first. It may throw an exception of
+/// its own, which comes out instead.
 ///
 ///   std::stop_source stop;  // stop.request_stop() on any thread
 ///   const CancelScope scope([&] { return stop.stop_requested(); });

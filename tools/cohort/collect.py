@@ -91,7 +91,10 @@ def tsv(rows):
     writer.writeheader()
     for row in rows:
         writer.writerow(
-            {k: v.replace("\n", " ").replace("\t", " ") if isinstance(v, str) else v for k, v in row.items()}
+            {
+                k: v.replace("\n", " ").replace("\t", " ") if isinstance(v, str) else v
+                for k, v in row.items()
+            }
         )
     return text.getvalue()
 

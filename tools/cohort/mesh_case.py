@@ -77,7 +77,9 @@ def describe(code, stderr, limit):
 
 def take_picture(folder, hexwall):
     """A picture of the quads, or why there is none. Never fails: a mesh is worth more than that."""
-    picture = shutil.which("hexwall-picture", path=f"{os.path.dirname(hexwall)}:{os.environ['PATH']}")
+    picture = shutil.which(
+        "hexwall-picture", path=f"{os.path.dirname(hexwall)}:{os.environ['PATH']}"
+    )
     if not picture:
         return "there is no hexwall-picture"
     command = [picture, str(folder / "quads.vtp"), "-o", str(folder / "thumbnail.png"), "--edges"]
