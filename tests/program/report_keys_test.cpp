@@ -44,7 +44,9 @@ void add_paths(const Json& json, const std::string& path, std::set<std::string>&
   const bool is_list_of_objects = json.is_array() && !json.empty() && json[0].is_object();
   if (json.is_object()) {
     for (const auto& [key, value] : json.items()) {
-      add_paths(value, path.empty() ? key : path + "." + key, leaves, all);
+      std::string below = path;
+      if (!below.empty()) below += '.';
+      add_paths(value, below + key, leaves, all);
     }
   } else if (is_list_of_objects) {
     for (const Json& item : json) add_paths(item, path + "[]", leaves, all);
@@ -67,7 +69,7 @@ std::vector<Json> reports() {
   PipelineOptions both;
   both.size = 0.3;
   both.inward = LayerOptions{};
-  both.outward->thickness = 1.0;
+  both.outward->thickness = 2.0;
   both.inward->thickness = 0.8;
   TriangleSurface dirty = capped(cylinder(1.0, 6.0, 20, 16), CapStyle::wheel);
   dirty.triangles.push_back(dirty.triangles.front());
