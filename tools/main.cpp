@@ -18,6 +18,7 @@
 #include "check_command.h"
 #include "generate_command.h"
 #include "mesh_command.h"
+#include "reference_command.h"
 #include "report.h"
 
 namespace hexwall {
@@ -52,6 +53,7 @@ int run(int argc, char** argv) {
       add_mesh(app),
       add_check(app),
       add_generate(app),
+      add_reference(app),
   };
   try {
     app.parse(argc, argv);

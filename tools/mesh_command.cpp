@@ -12,18 +12,11 @@
 #include "exporters/output_file.h"
 #include "exporters/results.h"
 #include "output_folder.h"
-#include "surface_command.h"
 
 namespace hexwall {
 namespace {
 
 namespace fs = std::filesystem;
-
-struct MeshOptions {
-  SurfaceCommandOptions surface;
-  std::vector<std::string> write{"vtu", "openfoam"};
-  bool write_basis = false;
-};
 
 std::vector<std::string> format_names() {
   std::vector<std::string> names;
@@ -51,11 +44,7 @@ ExitCode run_mesh(const MeshOptions& c) {
   const auto limit = limit_threads(c.surface);
   OutputFolder folder(c.surface.output);
   SurfaceRun run = run_surface(c.surface);
-  run.context.io_times.push_back(
-      {"write", timed([&] { write_results(c, run.result, folder.staging()); })});
-  run.context.prepared = &run.prepared;
-  write_output_file(folder.staging() / "report.json",
-                    make_report(run.result, run.context).dump(2) + "\n");
+  write_mesh_results(c, run, folder.staging());
   folder.commit();
   log_notes(log, run.prepared);
   log.info("{}  {:<10} {}", summary(run.result, c.surface.input.units), "results",
@@ -66,17 +55,27 @@ ExitCode run_mesh(const MeshOptions& c) {
 
 }  // namespace
 
-Command add_mesh(CLI::App& app) {
-  CLI::App* mesh = app.add_subcommand("mesh", "Mesh the wall of a vessel with hexahedra");
-  const auto c = std::make_shared<MeshOptions>();
-  add_surface_options(*mesh, c->surface);
-  add_layer_options(*mesh, c->surface.layers);
-  mesh->add_option("--write", c->write, "Hex mesh formats, separated by commas")
+void add_mesh_options(CLI::App& mesh, MeshOptions& c) {
+  add_surface_options(mesh, c.surface);
+  add_layer_options(mesh, c.surface.layers);
+  mesh.add_option("--write", c.write, "Hex mesh formats, separated by commas")
       ->delimiter(',')
       ->check(CLI::IsMember(format_names()))
       ->capture_default_str();
-  mesh->add_flag("--write-basis", c->write_basis,
-                 "Also write basis.vtp: every basis form as texture coordinates");
+  mesh.add_flag("--write-basis", c.write_basis,
+                "Also write basis.vtp: every basis form as texture coordinates");
+}
+
+void write_mesh_results(const MeshOptions& c, SurfaceRun& run, const fs::path& folder) {
+  run.context.io_times.push_back({"write", timed([&] { write_results(c, run.result, folder); })});
+  run.context.prepared = &run.prepared;
+  write_output_file(folder / "report.json", make_report(run.result, run.context).dump(2) + "\n");
+}
+
+Command add_mesh(CLI::App& app) {
+  CLI::App* mesh = app.add_subcommand("mesh", "Mesh the wall of a vessel with hexahedra");
+  const auto c = std::make_shared<MeshOptions>();
+  add_mesh_options(*mesh, *c);
   return {mesh, [c] { return run_mesh(*c); }};
 }
 

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <functional>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -50,6 +51,8 @@
 
 #include "core/errors.h"
 #include "exporters/output_file.h"
+#include "reference.h"
+#include "report.h"
 
 namespace hexwall {
 namespace {
@@ -482,6 +485,16 @@ void render(const PictureOptions& options) {
   write_png(options.output, window);
 }
 
+void add_reference_flag(CLI::App& app, const std::string& flag,
+                        const std::function<std::string(const CommandInfo&)>& page) {
+  app.add_flag_callback(flag,
+                        [&app, page] {
+                          fmt::print("{}", page(command_info(app.get_name(), app)));
+                          throw CLI::Success();
+                        })
+      ->group("");
+}
+
 void declare_options(CLI::App& app, PictureOptions& o) {
   app.add_option("INPUT", o.input, "VTP or VTU file")->required();
   app.add_option("-o,--output", o.output, "PNG file to write")->required();
@@ -502,6 +515,12 @@ void declare_options(CLI::App& app, PictureOptions& o) {
   app.add_option("--size", o.size, "size in pixels")->capture_default_str();
   app.add_option("--lines", o.lines, "VTP file whose polylines are drawn on top");
   app.add_flag("--perspective", o.perspective, "perspective instead of parallel projection");
+  app.set_version_flag("--version", "hexwall-picture " + version());
+  // For what is made from the program itself, as `hexwall reference` is.
+  add_reference_flag(app, "--reference-man",
+                     [](const CommandInfo& command) { return man_page(command, {"hexwall"}); });
+  add_reference_flag(app, "--reference-bash",
+                     [](const CommandInfo& command) { return bash_completion(command, {}); });
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include <Eigen/Geometry>
 
+#include "core/cancel.h"
 #include "core/parallel.h"
 
 namespace hexwall {
@@ -48,6 +49,7 @@ ColumnSearch::ColumnSearch(QuadMesh& quads, std::vector<SurfacePoint>& places,
 
 bool ColumnSearch::improve(int v, double step, const std::function<double(int)>& cost_around,
                            const std::function<bool(int)>& is_allowed) {
+  throw_if_cancelled();
   const SurfacePoint place = places_[v];
   const Vec3 direction = directions_[v];
   const Vec3 e1 = direction.unitOrthogonal();

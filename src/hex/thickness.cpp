@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
+#include "core/cancel.h"
 #include "core/errors.h"
 #include "core/parallel.h"
 #include "hex/skewness.h"
@@ -213,6 +214,7 @@ class Fitter {
     std::vector<double>& t = given();
     for (bool changed = true; changed;) {
       changed = false;
+      throw_if_cancelled();
       for (std::size_t e = 0; e < edges_.size(); ++e) {
         const auto [a, b] = edges_[e];
         const double most = std::min(t[a], t[b]) + room_[e];
