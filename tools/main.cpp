@@ -36,6 +36,7 @@
 #include "output_folder.h"
 #include "pipeline.h"
 #include "progress_display.h"
+#include "quality_command.h"
 #include "report.h"
 #include "surface/generate.h"
 #include "surface/read.h"
@@ -216,12 +217,15 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   app.footer(
       "Exit codes: 0 success, 1 internal error, 2 command line, 3 unreadable input,\n"
-      "4 topology of the surface, 5 geometry of the surface, 6 no valid mesh, 7 output.");
+      "4 topology of the surface, 5 geometry of the surface, 6 no valid mesh, 7 output,\n"
+      "8 a condition of 'quality --fail-if' holds.");
   MeshCommand mesh;
   GenerateCommand generate;
   CheckCommand check;
+  QualityCommand quality;
   const CLI::App* mesh_app = add_mesh(app, mesh);
   const CLI::App* check_app = add_check(app, check);
+  const CLI::App* quality_app = add_quality(app, quality);
   add_generate(app, generate);
   try {
     app.parse(argc, argv);
@@ -237,6 +241,8 @@ int run(int argc, char** argv) {
       run_mesh(mesh, log);
     } else if (check_app->parsed()) {
       return static_cast<int>(run_check(check));
+    } else if (quality_app->parsed()) {
+      return run_quality(quality);
     } else {
       run_generate(generate);
     }
