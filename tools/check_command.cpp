@@ -1,7 +1,9 @@
 #include "check_command.h"
 
 #include <algorithm>
+#include <memory>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -10,6 +12,7 @@
 
 #include "exporters/output_file.h"
 #include "exporters/vtk_files.h"
+#include "input_options.h"
 #include "output_folder.h"
 #include "report.h"
 #include "surface/check.h"
@@ -19,6 +22,13 @@ namespace hexwall {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+/// Options of the command.
+struct CheckOptions {
+  InputOptions input;
+  std::string output;  ///< folder for check.json, problems.vtp, prepared.vtp; empty: none
+  bool json = false;   ///< print JSON instead of words
+};
 
 /// What is known of a surface in the end.
 struct Diagnosis {
@@ -41,7 +51,7 @@ std::vector<std::string> notes_before_refusal(const ReadResult& read,
   }
 }
 
-Diagnosis diagnose(const CheckCommand& command) {
+Diagnosis diagnose(const CheckOptions& command) {
   Diagnosis d;
   const PrepareOptions options = prepare_options(command.input);
   d.read = read_surface(command.input.surface);
@@ -83,7 +93,7 @@ Json problems_json(const std::vector<Problem>& problems) {
   return list;
 }
 
-Json to_json(const CheckCommand& command, const Diagnosis& d) {
+Json to_json(const CheckOptions& command, const Diagnosis& d) {
   Json json = {{"hexwall_version", version()},
                {"input",
                 {{"file", command.input.surface},
@@ -102,7 +112,7 @@ Json to_json(const CheckCommand& command, const Diagnosis& d) {
   return json;
 }
 
-void print_words(const CheckCommand& command, const Diagnosis& d) {
+void print_words(const CheckOptions& command, const Diagnosis& d) {
   const auto line = [](const std::string& label, const std::string& text) {
     fmt::print("  {:<10} {}\n", label, text);
   };
@@ -165,20 +175,7 @@ PolyData prepared_data(const PrepareResult& prepared) {
   return data;
 }
 
-}  // namespace
-
-CLI::App* add_check(CLI::App& app, CheckCommand& command) {
-  CLI::App* check = app.add_subcommand(
-      "check", "Say what is wrong with a surface, and what would be done about it");
-  add_input_options(*check, command.input);
-  check->add_option("-o,--output", command.output,
-                    "Folder for check.json, problems.vtp (a point at each problem) and "
-                    "prepared.vtp (the surface that would be meshed)");
-  check->add_flag("--json", command.json, "Print JSON instead of words");
-  return check;
-}
-
-ExitCode run_check(const CheckCommand& command) {
+ExitCode run_check(const CheckOptions& command) {
   const Diagnosis d = diagnose(command);
   const std::string json = to_json(command, d).dump(2) + "\n";
   if (!command.output.empty()) {
@@ -194,6 +191,20 @@ ExitCode run_check(const CheckCommand& command) {
     print_words(command, d);
   }
   return d.verdict;
+}
+
+}  // namespace
+
+Command add_check(CLI::App& app) {
+  CLI::App* check = app.add_subcommand(
+      "check", "Say what is wrong with a surface, and what would be done about it");
+  const auto command = std::make_shared<CheckOptions>();
+  add_input_options(*check, command->input);
+  check->add_option("-o,--output", command->output,
+                    "Folder for check.json, problems.vtp (a point at each problem) and "
+                    "prepared.vtp (the surface that would be meshed)");
+  check->add_flag("--json", command->json, "Print JSON instead of words");
+  return {check, [command] { return run_check(*command); }};
 }
 
 }  // namespace hexwall

@@ -1,12 +1,16 @@
 #include "quality_command.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <memory>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "core/errors.h"
 #include "exporters/output_file.h"
 #include "inspect/conditions.h"
 #include "inspect/mesh_quality.h"
@@ -18,7 +22,16 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr auto condition_holds = static_cast<ExitCode>(8);
 constexpr int bar_width = 40;
+
+struct QualityOptions {
+  std::string mesh;
+  std::string output;                ///< JSON file; empty: none
+  bool json = false;                 ///< print JSON instead of words
+  std::vector<std::string> fail_if;  ///< see `Condition`
+  std::size_t worst = 5;
+};
 
 // A bar with a resolution of an eighth of a letter.
 std::string bar(std::size_t count, std::size_t greatest) {
@@ -104,7 +117,7 @@ void print_worst(const MeshQuality& q) {
   }
 }
 
-void print_words(const QualityCommand& command, const MeshQuality& q) {
+void print_words(const QualityOptions& command, const MeshQuality& q) {
   fmt::print("{}\n  {:<10} {}\n", command.mesh, "points", q.points);
   for (std::size_t s = 0; s < q.count.size(); ++s) {
     const auto shape = static_cast<ElementShape>(s);
@@ -126,7 +139,7 @@ struct Verdict {
   bool holds;
 };
 
-std::vector<Verdict> judge(const QualityCommand& command, const MeshQuality& q) {
+std::vector<Verdict> judge(const QualityOptions& command, const MeshQuality& q) {
   const Figures figures = figures_of(q);
   std::vector<Verdict> verdicts;
   for (const std::string& text : command.fail_if) {
@@ -135,7 +148,7 @@ std::vector<Verdict> judge(const QualityCommand& command, const MeshQuality& q) 
   return verdicts;
 }
 
-Json document(const QualityCommand& command, const MeshQuality& q,
+Json document(const QualityOptions& command, const MeshQuality& q,
               const std::vector<Verdict>& verdicts) {
   Json json = {{"quality_version", 1}, {"hexwall_version", version()}, {"file", command.mesh}};
   json.update(to_json(q));
@@ -146,30 +159,7 @@ Json document(const QualityCommand& command, const MeshQuality& q,
   return json;
 }
 
-}  // namespace
-
-CLI::App* add_quality(CLI::App& app, QualityCommand& command) {
-  CLI::App* quality = app.add_subcommand(
-      "quality", "Measure a mesh of any tool: figures, histograms, the worst cells");
-  quality
-      ->add_option("MESH", command.mesh,
-                   ".vtu, .vtp, .vtk, .msh, .inp, .stl, .obj, .ply, .off, or a folder with an "
-                   "OpenFOAM mesh")
-      ->required();
-  quality->add_option("-o,--output", command.output, "JSON file with all figures and histograms");
-  quality->add_flag("--json", command.json, "Print JSON instead of words");
-  quality
-      ->add_option("--fail-if", command.fail_if,
-                   "Exit with code 8 if this holds: NAME OP NUMBER, such as "
-                   "min_scaled_jacobian<0.2; may be given several times")
-      ->expected(1)
-      ->take_all();
-  quality->add_option("--worst", command.worst, "How many of the worst places are listed")
-      ->capture_default_str();
-  return quality;
-}
-
-int run_quality(const QualityCommand& command) {
+ExitCode run_quality(const QualityOptions& command) {
   for (const std::string& text : command.fail_if) parse_condition(text);
   const MeshQuality q = mesh_quality(read_mesh(command.mesh), command.worst);
   const std::vector<Verdict> verdicts = judge(command, q);
@@ -186,7 +176,31 @@ int run_quality(const QualityCommand& command) {
     fmt::print(stderr, "hexwall: {}: {} holds\n", command.mesh, v.condition);
     any = true;
   }
-  return any ? quality_exit_code : 0;
+  return any ? condition_holds : ExitCode::success;
+}
+
+}  // namespace
+
+Command add_quality(CLI::App& app) {
+  const auto command = std::make_shared<QualityOptions>();
+  CLI::App* quality = app.add_subcommand(
+      "quality", "Measure a mesh of any tool: figures, histograms, the worst cells");
+  quality
+      ->add_option("MESH", command->mesh,
+                   ".vtu, .vtp, .vtk, .msh, .inp, .stl, .obj, .ply, .off, or a folder with an "
+                   "OpenFOAM mesh")
+      ->required();
+  quality->add_option("-o,--output", command->output, "JSON file with all figures and histograms");
+  quality->add_flag("--json", command->json, "Print JSON instead of words");
+  quality
+      ->add_option("--fail-if", command->fail_if,
+                   "Exit with code 8 if this holds: NAME OP NUMBER, such as "
+                   "min_scaled_jacobian<0.2; may be given several times")
+      ->expected(1)
+      ->take_all();
+  quality->add_option("--worst", command->worst, "How many of the worst places are listed")
+      ->capture_default_str();
+  return {quality, [command] { return run_quality(*command); }};
 }
 
 }  // namespace hexwall

@@ -79,7 +79,7 @@ const Format& format_of(const fs::path& path) {
 
 fs::path poly_mesh_in(const fs::path& folder) {
   for (const char* below : {"", "polyMesh", "constant/polyMesh"}) {
-    const fs::path candidate = folder / below;
+    fs::path candidate = folder / below;
     if (fs::exists(candidate / "faces") || fs::exists(candidate / "faces.gz")) return candidate;
   }
   throw ReadError(
