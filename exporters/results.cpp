@@ -17,19 +17,6 @@ constexpr int kind_zero = 0;
 constexpr int kind_horizontal = 1;
 constexpr int kind_vertical = 2;
 
-// Triangles with three points of their own, so that values may jump between triangles.
-PolyData separate_triangles(const TriangleSurface& surface) {
-  PolyData data;
-  data.points.reserve(3 * surface.triangles.size());
-  data.polygons.reserve(surface.triangles.size(), 3);
-  for (const auto& triangle : surface.triangles) {
-    const int first = static_cast<int>(data.points.size());
-    for (const int v : triangle) data.points.push_back(surface.points[v]);
-    data.polygons.add(std::array{first, first + 1, first + 2});
-  }
-  return data;
-}
-
 std::vector<double> at_corners(const TriangleSurface& surface, const Eigen::VectorXd& values) {
   std::vector<double> result;
   result.reserve(3 * surface.triangles.size());
@@ -102,7 +89,30 @@ std::vector<DataArray> repeated_for_levels(std::vector<DataArray> arrays, std::s
   return arrays;
 }
 
+std::vector<double> interleaved(const std::vector<double>& x, const std::vector<double>& y) {
+  std::vector<double> pairs;
+  pairs.reserve(2 * x.size());
+  for (std::size_t c = 0; c < x.size(); ++c) pairs.insert(pairs.end(), {x[c], y[c]});
+  return pairs;
+}
+
 }  // namespace
+
+PolyData separate_triangles(const TriangleSurface& surface) {
+  PolyData data;
+  data.points.reserve(3 * surface.triangles.size());
+  data.polygons.reserve(surface.triangles.size(), 3);
+  for (const auto& triangle : surface.triangles) {
+    const int first = static_cast<int>(data.points.size());
+    for (const int v : triangle) data.points.push_back(surface.points[v]);
+    data.polygons.add(std::array{first, first + 1, first + 2});
+  }
+  return data;
+}
+
+std::vector<double> form_at_corners(const FormSolution& s, const HolomorphicForm& form) {
+  return interleaved(integrate(s.connectivity, form.dx), at_corners(s.refined.surface, form.y));
+}
 
 PolyData surface_data(const PipelineResult& r) {
   const TriangleSurface& surface = r.solution.refined.surface;
@@ -187,9 +197,7 @@ PolyData basis_data(const PipelineResult& r) {
     const std::string loop = loop_name(r, r.solution.basis.loop(i));
     std::vector<double> x = integrate(r.solution.connectivity, r.solution.basis.omega_form(i));
     const std::vector<double> y = at_corners(surface, g.col(i));
-    std::vector<double> phi;
-    phi.reserve(2 * x.size());
-    for (std::size_t c = 0; c < x.size(); ++c) phi.insert(phi.end(), {x[c], y[c]});
+    std::vector<double> phi = interleaved(x, y);
     data.point_arrays.push_back({"f_" + loop, 1, at_corners(surface, r.solution.basis.f.col(i))});
     data.point_arrays.push_back({"omega_" + loop, 1, std::move(x)});
     data.point_arrays.push_back({"phi_" + loop, 2, std::move(phi)});

@@ -83,16 +83,18 @@ std::unique_ptr<tbb::global_control> limit_threads(const SurfaceCommandOptions& 
 }
 
 SurfaceRun run_surface(const SurfaceCommandOptions& c,
-                       const std::function<void(PipelineOptions&)>& adjust) {
-  ProgressDisplay progress(!c.quiet);
+                       const std::function<void(PipelineOptions&)>& adjust,
+                       ProgressDisplay* shown) {
+  std::optional<ProgressDisplay> own;
+  ProgressDisplay& progress = shown != nullptr ? *shown : own.emplace(!c.quiet);
   const PrepareOptions preparation = prepare_options(c.input);
   ReadResult read;
+  progress.begin("read");
   const double seconds = timed([&] { read = read_surface(c.input.surface); });
-  SurfaceRun run = mesh_surface(
-      c, preparation, std::move(read), adjust,
-      [&](const std::string& stage, int index, int count) { progress.show(stage, index, count); });
+  progress.begin("prepare");
+  SurfaceRun run = mesh_surface(c, preparation, std::move(read), adjust,
+                                [&](const std::string& stage, int, int) { progress.begin(stage); });
   run.context.io_times.insert(run.context.io_times.begin(), {"read", seconds});
-  progress.finish();
   return run;
 }
 

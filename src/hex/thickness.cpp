@@ -108,8 +108,8 @@ class Fitter {
     const auto worst = std::min_element(bound_.begin(), bound_.end());
     if (*worst > 0.0) return;
     throw MeshingError(fmt::format(
-        "no wall can be extruded at {}: the surface is folded there. Smooth or remesh it, or "
-        "choose a smaller --size",
+        "no wall can be extruded at {}: a quad is folded there, which is too large for the surface, "
+        "or the surface itself is. Choose a smaller --size, or smooth or remesh the surface",
         place_of(quads_.quads[worst - bound_.begin()][0])));
   }
 

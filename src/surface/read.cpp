@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <fstream>
-#include <iterator>
 #include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "core/errors.h"
+#include "surface/file_content.h"
 #include "surface/polygon_soup.h"
 #include "surface/read_legacy_vtk.h"
 #include "surface/read_memory.h"
@@ -22,13 +21,6 @@ namespace hexwall {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string content_of(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::string content{std::istreambuf_iterator<char>(file), {}};
-  if (!file) throw ReadError("the file could not be read");
-  return content;
-}
 
 PolygonSoup read_stl(const fs::path& path) {
   PolygonSoup soup = parse_stl(content_of(path));
@@ -78,15 +70,6 @@ const Format& format_of(const fs::path& path) {
   std::string known;
   for (const Format& format : formats) known += fmt::format(" {}", format.extension);
   throw ReadError(fmt::format("the extension '{}' is unknown. Known are{}", extension, known));
-}
-
-void check_file(const fs::path& path) {
-  std::error_code error;
-  const fs::file_status status = fs::status(path, error);
-  if (!fs::exists(status)) throw ReadError("the file does not exist");
-  if (fs::is_directory(status)) throw ReadError("this is a directory; a file is needed");
-  if (fs::file_size(path, error) == 0 && !error) throw ReadError("the file is empty");
-  if (!std::ifstream(path)) throw ReadError("the file cannot be opened; check its permissions");
 }
 
 }  // namespace

@@ -151,7 +151,8 @@ void MeshResult::write(const std::string& path, const std::vector<std::string>& 
   options.write = formats;
   options.write_basis = write_basis;
   OutputFolder folder(path);
-  write_mesh_results(options, run_, folder.staging());
+  ProgressDisplay silent(false);
+  write_mesh_results(options, run_, folder.staging(), silent);
   folder.commit();
 }
 
