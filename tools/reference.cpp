@@ -2,27 +2,40 @@
 
 #include <algorithm>
 #include <array>
-#include <utility>
 
 #include <fmt/format.h>
 
 #include "core/errors.h"
+#include "interrupt.h"
+#include "quality_command.h"
 #include "report.h"
 #include "report_keys.h"
 
 namespace hexwall {
 namespace {
 
-const std::array<std::pair<ExitCode, const char*>, 8> exit_codes{{
-    {ExitCode::success, "success"},
-    {ExitCode::internal, "internal error: please report it"},
-    {ExitCode::usage, "the command line is wrong"},
-    {ExitCode::read, "the input is missing, truncated, or of an unknown format"},
-    {ExitCode::topology, "topology: not a sphere with two or more holes, or not manifold"},
-    {ExitCode::geometry, "geometry: non-finite, no area, self-intersecting"},
-    {ExitCode::meshing, "the surface is valid, but no valid mesh was found"},
-    {ExitCode::write, "the output can't be written"},
-}};
+struct ExitMeaning {
+  int code;
+  const char* meaning;
+};
+
+constexpr int code(ExitCode c) {
+  return static_cast<int>(c);
+}
+
+constexpr std::array exit_codes{
+    ExitMeaning{code(ExitCode::success), "success"},
+    ExitMeaning{code(ExitCode::internal), "internal error: please report it"},
+    ExitMeaning{code(ExitCode::usage), "the command line is wrong"},
+    ExitMeaning{code(ExitCode::read), "the input is missing, truncated, or of an unknown format"},
+    ExitMeaning{code(ExitCode::topology),
+                "topology: not a sphere with two or more holes, or not manifold"},
+    ExitMeaning{code(ExitCode::geometry), "geometry: non-finite, no area, self-intersecting"},
+    ExitMeaning{code(ExitCode::meshing), "the surface is valid, but no valid mesh was found"},
+    ExitMeaning{code(ExitCode::write), "the output can't be written"},
+    ExitMeaning{condition_holds_exit_code, "a condition of `hexwall quality --fail-if` holds"},
+    ExitMeaning{interrupted_exit_code, "stopped by Ctrl-C"},
+};
 
 std::string replaced(std::string text, const std::string& what, const std::string& by) {
   for (std::size_t at = 0; (at = text.find(what, at)) != std::string::npos; at += by.size()) {
@@ -115,7 +128,7 @@ std::string man_option(const OptionInfo& o) {
 std::string man_exit_codes() {
   std::string text = ".SH EXIT STATUS\n";
   for (const auto& [code, what] : exit_codes) {
-    text += fmt::format(".TP\n{}\n{}.\n", static_cast<int>(code), roff(what));
+    text += fmt::format(".TP\n{}\n{}.\n", code, roff(replaced(what, "`", "")));
   }
   return text;
 }
@@ -213,7 +226,7 @@ std::string options_markdown(const CommandInfo& command) {
 std::string exit_codes_markdown() {
   std::string text = "\n| exit code | meaning |\n|---|---|\n";
   for (const auto& [code, what] : exit_codes) {
-    text += fmt::format("| {} | {} |\n", static_cast<int>(code), what);
+    text += fmt::format("| {} | {} |\n", code, what);
   }
   return text;
 }
