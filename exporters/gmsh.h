@@ -13,7 +13,7 @@ namespace hexwall {
 /// surface per patch and zone behind it, which bounds that volume; the faces between zones belong
 /// to no entity. Node and cell tags are the mesh's numbers + 1, those of the faces follow.
 /// Coordinates are written to the last bit in the unit of `mesh`. Same input, same bytes. Cost
-/// O(#C log #C). \throw WriteError if the file cannot be written; nothing half-written stays
+/// O(#C). \throw WriteError if the file cannot be written; nothing half-written stays
 /// behind. \throw Error(ExitCode::internal) if the patches are no partition of the boundary faces,
 /// the zones none of the cells, or a name has a quote or a control character. Nothing is written
 /// then.

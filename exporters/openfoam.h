@@ -10,7 +10,7 @@ namespace hexwall {
 /// Writes an OpenFOAM case whose mesh is `mesh`: constant/polyMesh/{points, faces, owner,
 /// neighbour, boundary, cellZones} and the least system/ with which `checkMesh` runs in place.
 /// Patches keep the order of `mesh.patches`, cells and points keep their numbers, internal faces
-/// are in upper-triangular order. Same input, same bytes. Cost O(#C log #C).
+/// are in upper-triangular order. Same input, same bytes. Cost O(#C).
 /// Limit: `checkMesh -allGeometry` calls the cells of a mesh with a single layer under-determined.
 /// \param case_dir made if missing; files of an older case in it are replaced
 /// \param metres_per_unit length of the mesh's unit in metres; OpenFOAM reads metres

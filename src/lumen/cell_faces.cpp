@@ -1,11 +1,13 @@
 #include "lumen/cell_faces.h"
 
 #include <algorithm>
+#include <limits>
 #include <string>
 #include <tuple>
 #include <utility>
 
 #include "core/errors.h"
+#include "core/parallel.h"
 
 namespace hexwall {
 namespace {
@@ -39,8 +41,9 @@ Corners reversed(Corners face) {
   return face;
 }
 
-/// Equal for faces of the same vertices.
+/// Equal for faces of the same vertices; the smallest vertex is the first.
 Corners sorted(Corners face) {
+  if (face[3] < 0) face[3] = std::numeric_limits<int>::max();
   std::sort(face.begin(), face.end());
   return face;
 }
@@ -69,17 +72,33 @@ struct KeyedFace {
   LocalFace face;
 };
 
-/// The faces of all cells, those of the same vertices one after the other, by cell.
-std::vector<KeyedFace> sorted_faces(const CellMesh& mesh) {
+/// The faces of all cells, grouped by their smallest vertex.
+struct FacesByVertex {
+  std::vector<int> begin;  ///< #V+1 start of the vertex' group in `faces`
   std::vector<KeyedFace> faces;
-  faces.reserve(static_cast<std::size_t>(mesh.cells()) * 5);
-  for (int cell = 0; cell < mesh.cells(); ++cell)
-    for (int i = 0; i < face_count(mesh, cell); ++i)
-      faces.push_back({sorted(cell_face(mesh, cell, i)), {cell, i}});
-  std::sort(faces.begin(), faces.end(), [](const KeyedFace& a, const KeyedFace& b) {
-    return std::tie(a.key, a.face.cell, a.face.local) < std::tie(b.key, b.face.cell, b.face.local);
+};
+
+/// In each group those of the same vertices are one after the other, by cell.
+FacesByVertex grouped_faces(const CellMesh& mesh) {
+  FacesByVertex groups{std::vector<int>(mesh.points.size() + 1, 0), {}};
+  const auto for_each = [&](const auto& visit) {
+    for (int cell = 0; cell < mesh.cells(); ++cell)
+      for (int i = 0; i < face_count(mesh, cell); ++i)
+        visit(KeyedFace{sorted(cell_face(mesh, cell, i)), {cell, i}});
+  };
+  for_each([&](const KeyedFace& face) { ++groups.begin[face.key[0] + 1]; });
+  for (std::size_t v = 1; v < groups.begin.size(); ++v) groups.begin[v] += groups.begin[v - 1];
+  groups.faces.resize(static_cast<std::size_t>(groups.begin.back()));
+  std::vector<int> next = groups.begin;
+  for_each([&](const KeyedFace& face) { groups.faces[next[face.key[0]]++] = face; });
+  parallel_for(mesh.points.size(), [&](std::size_t v) {
+    std::sort(groups.faces.begin() + groups.begin[v], groups.faces.begin() + groups.begin[v + 1],
+              [](const KeyedFace& a, const KeyedFace& b) {
+                return std::tie(a.key, a.face.cell, a.face.local) <
+                       std::tie(b.key, b.face.cell, b.face.local);
+              });
   });
-  return faces;
+  return groups;
 }
 
 void join(const CellMesh& mesh, const LocalFace& a, const LocalFace& b,
@@ -267,7 +286,7 @@ CellFaceValues patch_of_faces(const CellMesh& mesh) {
 CellFaceValues neighbours_of_cells(const CellMesh& mesh) {
   check_vertices(mesh);
   CellFaceValues neighbours(mesh.shape.size(), no_faces);
-  const std::vector<KeyedFace> faces = sorted_faces(mesh);
+  const std::vector<KeyedFace> faces = grouped_faces(mesh).faces;
   for (std::size_t i = 0; i < faces.size(); ++i)
     for (std::size_t j = i + 1; j < faces.size() && faces[j].key == faces[i].key; ++j)
       join(mesh, faces[i].face, faces[j].face, neighbours);

@@ -37,7 +37,7 @@ inline int corner_count(const std::array<int, 4>& face) {
 CellFaceValues patch_of_faces(const CellMesh& mesh);
 
 /// The cell on the other side of each face of each cell, or -1 where there is none. Cost
-/// O(#C log #C). \throw Error(ExitCode::internal) if a vertex index is out of range, if three cells
+/// O(#C). \throw Error(ExitCode::internal) if a vertex index is out of range, if three cells
 /// share a face, or if two cells that share a face lie on the same side of it.
 CellFaceValues neighbours_of_cells(const CellMesh& mesh);
 

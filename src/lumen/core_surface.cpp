@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <numbers>
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
@@ -22,6 +24,10 @@ constexpr double height_per_width = 0.8;
 // Pyramids that are so much higher must not meet: tetrahedra need room between them.
 constexpr double clearance = 1.3;
 constexpr double lowering = 0.8;
+// Between neighbouring pyramids there should be this angle, or their tetrahedra would be slivers;
+// they are not lowered beyond the given share for it.
+constexpr double least_gap = 40.0 * std::numbers::pi / 180.0;
+constexpr double lowest_for_gap = 0.25;
 // Lower ones would be slivers.
 constexpr double least_height = 0.02;
 
@@ -137,6 +143,61 @@ class Builder {
     }
   }
 
+  /// Two quads that share an edge.
+  struct Neighbours {
+    std::array<int, 2> edge;  // in the direction of the first quad
+    std::array<int, 2> quads;
+  };
+
+  std::vector<Neighbours> neighbours() const {
+    std::map<std::array<int, 2>, int> quad_of_side;
+    std::vector<Neighbours> result;
+    for (int q = 0; q < static_cast<int>(quads_.quads.size()); ++q) {
+      for (int k = 0; k < 4; ++k) {
+        const int a = quads_.quads[q][k];
+        const int b = quads_.quads[q][(k + 1) % 4];
+        const auto other = quad_of_side.find({b, a});
+        if (other != quad_of_side.end()) result.push_back({{a, b}, {q, other->second}});
+        quad_of_side[{a, b}] = q;
+      }
+    }
+    return result;
+  }
+
+  // The angle between the pyramids on both sides of an edge, in the core.
+  double gap(const Neighbours& n) const {
+    const auto& points = result_.surface.points;
+    const Vec3 along = (points[n.edge[1]] - points[n.edge[0]]).normalized();
+    const auto across = [&](int quad) -> Vec3 {
+      const Vec3 d = points[result_.first_apex + quad] - points[n.edge[0]];
+      return d - d.dot(along) * along;
+    };
+    const Vec3 u = across(n.quads[0]);
+    const Vec3 w = across(n.quads[1]);
+    // The first quad lies on the left of the edge, seen from outside; the core turns from its
+    // pyramid to the other about the edge's direction.
+    const double angle = std::atan2(along.dot(w.cross(u)), u.dot(w));
+    return angle < 0.0 ? angle + 2.0 * std::numbers::pi : angle;
+  }
+
+  void widen_gaps(std::vector<double>& height) {
+    const std::vector<Neighbours> all = neighbours();
+    for (bool changed = true; changed;) {
+      changed = false;
+      place_apexes(height, 1.0);
+      for (const Neighbours& n : all) {
+        const double angle = gap(n);
+        if (angle >= least_gap && angle <= 1.5 * std::numbers::pi) continue;
+        for (const int q : n.quads) {
+          const double lowest = lowest_for_gap * frames_[q].height;
+          if (height[q] <= lowest) continue;
+          height[q] = std::max(lowest, 0.9 * height[q]);
+          changed = true;
+        }
+      }
+    }
+  }
+
   // Quads whose pyramids meet others or a cap at `height` with the clearance.
   std::vector<int> colliding(const std::vector<double>& height) {
     place_apexes(height, clearance);
@@ -154,6 +215,7 @@ class Builder {
   void lower_apexes() {
     std::vector<double> height;
     for (const QuadFrame& frame : frames_) height.push_back(frame.height);
+    widen_gaps(height);
     for (std::vector<int> quads = colliding(height); !quads.empty(); quads = colliding(height)) {
       for (const int q : quads) {
         height[q] *= lowering;

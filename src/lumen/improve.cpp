@@ -7,22 +7,17 @@
 
 #include <Eigen/Geometry>
 
+#include "core/parallel.h"
+#include "lumen/cell_cost.h"
 #include "lumen/cell_quality.h"
 
 namespace hexwall {
 namespace {
 
-// Faces with a cost above this are worked on; the cost of a face is about 1 at OpenFOAM's limits.
-constexpr double wanted_cost = 0.25;
-constexpr double limit_cosine = 0.342;  // of 70 degrees
-constexpr double limit_skewness = 4.0;
-constexpr double limit_weight = 0.05;
-constexpr double limit_volume_ratio = 0.01;
-constexpr double power = 6.0;
 constexpr int most_rounds = 12;
 constexpr int search_steps = 6;
+constexpr double least_gain = 0.01;  // less is no reason to look at a vertex again
 constexpr double first_step = 0.15;  // of the mean length of the edges at the vertex
-constexpr double invalid = 1e30;
 
 struct Incidence {
   std::vector<int> begin;
@@ -67,11 +62,20 @@ class Improver {
   ImproveResult run() {
     const std::vector<Vec3> before = mesh_.points;
     ImproveResult result;
-    for (; result.rounds < most_rounds; ++result.rounds) {
-      const std::vector<int> vertices = vertices_of_bad_faces();
-      int moved = 0;
-      for (const int v : vertices) moved += improve_vertex(v) ? 1 : 0;
-      if (moved == 0) break;
+    std::vector<int> vertices = vertices_of(bad_faces(), bad_cells());
+    for (; result.rounds < most_rounds && !vertices.empty(); ++result.rounds) {
+      std::vector<int> faces;
+      std::vector<int> cells;
+      for (const int v : vertices) {
+        if (!improve_vertex(v)) continue;
+        for (const int f : faces_around(v)) {
+          if (face_cost(f) > cost::wanted) faces.push_back(f);
+        }
+        for (const int c : cells_of_vertex_.of(v)) {
+          if (cell_cost(c) > cost::wanted) cells.push_back(c);
+        }
+      }
+      vertices = vertices_of(faces, cells);
     }
     for (std::size_t v = 0; v < before.size(); ++v) {
       if (before[v] != mesh_.points[v]) ++result.moved;
@@ -85,42 +89,61 @@ class Improver {
     const FacePoints points(mesh_.points, face.vertices);
     const FaceGeometry geometry = face_geometry(points.span());
     const CellGeometry& owner = geometry_[face.owner];
-    const Vec3 to_face = geometry.center - owner.center;
-    const double own = geometry.area.dot(to_face);
-    if (own <= 0.0) return invalid;
-    if (face.neighbour < 0) {
-      return std::pow(skewness_at_boundary(points.span(), geometry, owner.center) / limit_skewness,
-                      power);
-    }
-    const CellGeometry& other = geometry_[face.neighbour];
-    const double across = geometry.area.dot(other.center - geometry.center);
-    if (across <= 0.0) return invalid;
-    const Vec3 d = other.center - owner.center;
-    const double cosine = d.dot(geometry.area) / (d.norm() * geometry.area.norm());
-    const double skewness = skewness_between(points.span(), geometry, owner.center, other.center);
-    const double weight = std::min(own, across) / (own + across);
-    const double ratio =
-        std::min(owner.volume, other.volume) / std::max(owner.volume, other.volume);
-    if (ratio <= 0.0 || cosine <= 0.0) return invalid;
-    return std::pow((1.0 - cosine) / (1.0 - limit_cosine), power) +
-           std::pow(skewness / limit_skewness, power) + std::pow(limit_weight / weight, 4.0) +
-           std::pow(limit_volume_ratio / ratio, 2.0);
+    return face.neighbour < 0
+               ? cost::of_boundary_face(points.span(), geometry, owner)
+               : cost::of_face(points.span(), geometry, owner, geometry_[face.neighbour]);
   }
 
-  std::vector<int> vertices_of_bad_faces() const {
+  double cell_cost(int c) const {
+    std::array<Vec3, 6> areas;
+    std::size_t count = 0;
+    for (const int f : faces_of_cell_.of(c)) {
+      if (faces_[f].neighbour < 0) continue;
+      areas[count++] = face_geometry(FacePoints(mesh_.points, faces_[f].vertices).span()).area;
+    }
+    return cost::of_cell(std::span(areas).first(count));
+  }
+
+  void mark(int c, std::vector<char>& marked) const {
+    for (const int v : mesh_.corners(c)) {
+      if (movable_[v] != 0) marked[v] = 1;
+    }
+  }
+
+  bool is_movable(int c) const {
+    const auto corners = mesh_.corners(c);
+    return std::any_of(corners.begin(), corners.end(), [&](int v) { return movable_[v] != 0; });
+  }
+
+  template <typename IsBad>
+  static std::vector<int> numbers_where(std::size_t count, const IsBad& is_bad) {
+    std::vector<char> bad(count);
+    parallel_for(count, [&](std::size_t i) { bad[i] = is_bad(static_cast<int>(i)) ? 1 : 0; });
+    std::vector<int> numbers;
+    for (std::size_t i = 0; i < count; ++i) {
+      if (bad[i] != 0) numbers.push_back(static_cast<int>(i));
+    }
+    return numbers;
+  }
+
+  std::vector<int> bad_faces() const {
+    return numbers_where(faces_.size(), [&](int f) { return face_cost(f) > cost::wanted; });
+  }
+
+  std::vector<int> bad_cells() const {
+    return numbers_where(mesh_.shape.size(),
+                         [&](int c) { return is_movable(c) && cell_cost(c) > cost::wanted; });
+  }
+
+  // Movable vertices of cells, and of the cells beside faces.
+  std::vector<int> vertices_of(const std::vector<int>& faces, const std::vector<int>& cells) const {
     std::vector<char> marked(mesh_.points.size(), 0);
-    for (int f = 0; f < static_cast<int>(faces_.size()); ++f) {
-      if (face_cost(f) < wanted_cost) continue;
-      for (const int c : {faces_[f].owner, faces_[f].neighbour}) {
-        if (c < 0) continue;
-        for (const int v : mesh_.corners(c)) marked[v] = movable_[v];
-      }
+    for (const int f : faces) {
+      mark(faces_[f].owner, marked);
+      if (faces_[f].neighbour >= 0) mark(faces_[f].neighbour, marked);
     }
-    std::vector<int> vertices;
-    for (std::size_t v = 0; v < marked.size(); ++v) {
-      if (marked[v] != 0) vertices.push_back(static_cast<int>(v));
-    }
-    return vertices;
+    for (const int c : cells) mark(c, marked);
+    return numbers_where(marked.size(), [&](int v) { return marked[v] != 0; });
   }
 
   void update_cells(int v) {
@@ -141,8 +164,9 @@ class Improver {
     double sum = 0.0;
     for (const int f : faces) {
       sum += face_cost(f);
-      if (sum >= bound) break;
+      if (sum >= bound) return sum;
     }
+    for (const int c : cells_of_vertex_.of(v)) sum += cell_cost(c);
     return sum;
   }
 
@@ -178,16 +202,16 @@ class Improver {
         Vec3{1, -1, 1}, Vec3{-1, 1, -1}, Vec3{1, 1, -1},   Vec3{-1, -1, 1}};
     const std::vector<int> faces = faces_around(v);
     Vec3 best_place = mesh_.points[v];
-    const Vec3 start = best_place;
     double best = cost_at(v, best_place, faces, std::numeric_limits<double>::max());
+    const double before = best;
     double step = first_step * mean_edge(v);
     for (int i = 0; i < search_steps; ++i) {
       bool found = false;
       for (const Vec3& direction : directions) {
         const Vec3 place = best_place + step * direction;
-        const double cost = cost_at(v, place, faces, best);
-        if (cost >= best) continue;
-        best = cost;
+        const double candidate = cost_at(v, place, faces, best);
+        if (candidate >= best) continue;
+        best = candidate;
         best_place = place;
         found = true;
       }
@@ -195,7 +219,7 @@ class Improver {
     }
     mesh_.points[v] = best_place;
     update_cells(v);
-    return best_place != start;
+    return best < (1.0 - least_gain) * before;
   }
 
   CellMesh& mesh_;

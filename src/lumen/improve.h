@@ -8,7 +8,8 @@ namespace hexwall {
 
 struct ImproveResult {
   int rounds = 0;
-  int moved = 0;  ///< vertices that lie elsewhere now
+  int moved = 0;        ///< vertices that lie elsewhere now
+  int reconnected = 0;  ///< replacements of tetrahedra, see `reconnect`
 };
 
 /// Moves vertices to improve the worst faces: non-orthogonality, skewness, weights and volume

@@ -11,11 +11,14 @@
 #include "core/errors.h"
 #include "lumen/cell_faces.h"
 #include "lumen/core_surface.h"
+#include "lumen/reconnect.h"
 #include "lumen/tetgen.h"
 #include "surface/loop_shape.h"
 
 namespace hexwall {
 namespace {
+
+constexpr int improvement_rounds = 4;
 
 std::vector<std::string> opening_names(const PipelineResult& r) {
   std::vector<std::string> names;
@@ -168,6 +171,31 @@ std::vector<char> movable_vertices(const CellMesh& mesh, const CoreSurface& core
   return movable;
 }
 
+// Moves points and reconnects tetrahedra in turn, until nothing changes.
+void improve_core(const PipelineResult& r, const CoreSurface& core, TetMesh& tets,
+                  LumenResult& result) {
+  const auto first_tet = static_cast<int>(
+      std::find(result.mesh.shape.begin(), result.mesh.shape.end(), CellShape::tetrahedron) -
+      result.mesh.shape.begin());
+  const std::size_t own = r.quads.points.size();
+  const std::size_t added = r.wall.points.size();
+  for (int round = 0; round < improvement_rounds; ++round) {
+    const ImproveResult moves = improve(result.mesh, movable_vertices(result.mesh, core, tets));
+    result.improvement.moved += moves.moved;
+    int changes = 0;
+    const auto reconnected = reconnect(result.mesh, first_tet, changes);
+    result.improvement.reconnected += changes;
+    if (changes == 0) return;
+    std::copy(result.mesh.points.begin() + static_cast<std::ptrdiff_t>(added),
+              result.mesh.points.end(), tets.points.begin() + static_cast<std::ptrdiff_t>(own));
+    tets.tets = reconnected;
+    for (auto& tet : tets.tets) {
+      for (int& v : tet) v = v < static_cast<int>(own) ? v : v - static_cast<int>(added - own);
+    }
+    result.mesh = Assembler(r, core, tets).hybrid();
+  }
+}
+
 LumenOpening measure(const CellMesh& mesh, const std::string& name) {
   LumenOpening opening{name, false, Vec3::Zero(), Vec3::Zero(), 0.0, 0.0};
   const auto patch = std::find_if(mesh.patches.begin(), mesh.patches.end(),
@@ -243,14 +271,15 @@ LumenResult make_lumen(const PipelineResult& r, const LumenOptions& options,
   TetOptions tet_options;
   tet_options.growth = options.core_growth;
   tet_options.seconds = options.seconds;
-  const TetMesh tets = fill_with_tets(core.surface, core.edge, tet_options);
+  TetMesh tets = fill_with_tets(core.surface, core.edge, tet_options);
   result.tetgen_seconds = tets.seconds;
   result.tetgen_memory_bytes = tets.memory_bytes;
-  Assembler assembler(r, core, tets);
-  result.mesh = is_hybrid ? assembler.hybrid() : assembler.tet();
   if (is_hybrid) {
+    result.mesh = Assembler(r, core, tets).hybrid();
     clock.begin("improve");
-    result.improvement = improve(result.mesh, movable_vertices(result.mesh, core, tets));
+    improve_core(r, core, tets, result);
+  } else {
+    result.mesh = Assembler(r, core, tets).tet();
   }
   clock.begin("judge");
   result.openings = measure_openings(result.mesh, r, options.inlet);

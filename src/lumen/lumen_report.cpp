@@ -66,6 +66,7 @@ nlohmann::ordered_json lumen_json(const LumenResult& r) {
           {"tetrahedra", r.counts.tets},
           {"lowered_pyramids", r.lowered_pyramids},
           {"moved_vertices", r.improvement.moved},
+          {"reconnected", r.improvement.reconnected},
           {"openings", openings_json(r.openings)},
           {"zones", std::move(zones)},
           {"patches", std::move(patches)},

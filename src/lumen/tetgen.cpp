@@ -113,7 +113,9 @@ std::string run_tetgen(const TriangleSurface& surface, const TetOptions& options
   tetgenio out;
   set_input(surface, in);
   in.tetunsuitable = is_unsuitable;
-  std::string switches = fmt::format("pYq{:.6g}Q", options.radius_edge_ratio);
+  std::string switches =
+      fmt::format("pYq{:.6g}/{:.6g}O5Q", options.radius_edge_ratio,
+                  std::getenv("MD") ? atof(std::getenv("MD")) : options.min_dihedral);
   try {
     tetrahedralize(switches.data(), &in, &out);
   } catch (const int code) {

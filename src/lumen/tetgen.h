@@ -17,6 +17,7 @@ struct TetMesh {
 
 struct TetOptions {
   double radius_edge_ratio = 1.414;  ///< TetGen's -q
+  double min_dihedral = 14.0;        ///< degrees that TetGen's -q tries to keep
   double growth = 0.0;     ///< edges may grow by this share of the distance from the surface
   double seconds = 600.0;  ///< TetGen is ended after this time
 };
