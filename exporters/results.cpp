@@ -206,7 +206,7 @@ PolyData basis_data(const PipelineResult& r) {
   return data;
 }
 
-void write_wall(const std::filesystem::path& path, const PipelineResult& r) {
+std::vector<DataArray> wall_cell_arrays(const PipelineResult& r) {
   std::vector<int> cylinder;
   std::vector<int> patch;
   std::vector<int> extension;
@@ -215,12 +215,18 @@ void write_wall(const std::filesystem::path& path, const PipelineResult& r) {
     cylinder.push_back(r.quads.cylinder[quad]);
     patch.push_back(r.quads.patch[quad]);
   }
-  write_vtu(path, r.wall,
-            {{"cylinder", 1, std::move(cylinder)},
-             {"extension", 1, std::move(extension)},
-             {"patch", 1, std::move(patch)},
-             {"scaled_jacobian", 1, r.wall_scaled_jacobian}},
-            repeated_for_levels(thickness_arrays(r), r.layers.levels.size()));
+  return {{"cylinder", 1, std::move(cylinder)},
+          {"extension", 1, std::move(extension)},
+          {"patch", 1, std::move(patch)},
+          {"scaled_jacobian", 1, r.wall_scaled_jacobian}};
+}
+
+std::vector<DataArray> wall_point_arrays(const PipelineResult& r) {
+  return repeated_for_levels(thickness_arrays(r), r.layers.levels.size());
+}
+
+void write_wall(const std::filesystem::path& path, const PipelineResult& r) {
+  write_vtu(path, r.wall, wall_cell_arrays(r), wall_point_arrays(r));
 }
 
 }  // namespace hexwall

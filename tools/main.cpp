@@ -20,6 +20,7 @@
 #include "interrupt.h"
 #include "mesh_command.h"
 #include "quality_command.h"
+#include "reference_command.h"
 #include "report.h"
 #include "view_command.h"
 
@@ -54,7 +55,8 @@ int run(int argc, char** argv) {
       "4 topology of the surface, 5 geometry of the surface, 6 no valid mesh, 7 output,\n"
       "8 a condition of 'quality --fail-if' holds, 130 stopped by Ctrl-C.");
   const std::vector<Command> commands{
-      add_mesh(app), add_check(app), add_quality(app), add_view(app), add_generate(app),
+      add_mesh(app), add_check(app),    add_quality(app),
+      add_view(app), add_generate(app), add_reference(app),
   };
   try {
     app.parse(argc, argv);

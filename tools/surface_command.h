@@ -53,6 +53,11 @@ SurfaceRun run_surface(const SurfaceCommandOptions& options,
                        const std::function<void(PipelineOptions&)>& adjust = {},
                        ProgressDisplay* shown = nullptr);
 
+/// The same for a surface that was read already. Shows nothing; `progress` may.
+SurfaceRun mesh_surface(const SurfaceCommandOptions& options, const PrepareOptions& preparation,
+                        ReadResult read, const std::function<void(PipelineOptions&)>& adjust = {},
+                        const ProgressCallback& progress = {});
+
 /// Where a command says what it did: nothing but errors with `--quiet`, times with `--verbose`.
 spdlog::logger make_logger(const SurfaceCommandOptions& options);
 

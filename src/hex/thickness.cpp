@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
+#include "core/cancel.h"
 #include "core/errors.h"
 #include "core/parallel.h"
 #include "hex/skewness.h"
@@ -107,8 +108,8 @@ class Fitter {
     const auto worst = std::min_element(bound_.begin(), bound_.end());
     if (*worst > 0.0) return;
     throw MeshingError(fmt::format(
-        "no wall can be extruded at {}: the surface is folded there. Smooth or remesh it, or "
-        "choose a smaller --size",
+        "no wall can be extruded at {}: a quad is folded there, which is too large for the surface, "
+        "or the surface itself is. Choose a smaller --size, or smooth or remesh the surface",
         place_of(quads_.quads[worst - bound_.begin()][0])));
   }
 
@@ -213,6 +214,7 @@ class Fitter {
     std::vector<double>& t = given();
     for (bool changed = true; changed;) {
       changed = false;
+      throw_if_cancelled();
       for (std::size_t e = 0; e < edges_.size(); ++e) {
         const auto [a, b] = edges_[e];
         const double most = std::min(t[a], t[b]) + room_[e];

@@ -12,6 +12,7 @@
 #include "surface/file_content.h"
 #include "surface/polygon_soup.h"
 #include "surface/read_legacy_vtk.h"
+#include "surface/read_memory.h"
 #include "surface/read_ply.h"
 #include "surface/read_text.h"
 #include "surface/read_vtp.h"
@@ -73,17 +74,20 @@ const Format& format_of(const fs::path& path) {
 
 }  // namespace
 
+ReadResult read_memory(PolygonSoup soup) {
+  ReadResult result;
+  TriangulateResult triangulated = triangulate(soup);
+  result.surface = std::move(triangulated.surface);
+  result.point_arrays = follow(soup.point_arrays, triangulated.point_origin);
+  result.cell_arrays = follow(soup.polygon_arrays, triangulated.triangle_origin);
+  result.notes = std::move(soup.notes);
+  return result;
+}
+
 ReadResult read_surface(const fs::path& path) {
   try {
     check_file(path);
-    PolygonSoup soup = format_of(path).read(path);
-    ReadResult result;
-    TriangulateResult triangulated = triangulate(soup);
-    result.surface = std::move(triangulated.surface);
-    result.point_arrays = follow(soup.point_arrays, triangulated.point_origin);
-    result.cell_arrays = follow(soup.polygon_arrays, triangulated.triangle_origin);
-    result.notes = std::move(soup.notes);
-    return result;
+    return read_memory(format_of(path).read(path));
   } catch (const ReadError& error) {
     throw ReadError(fmt::format("cannot read '{}': {}", path.string(), error.what()));
   }

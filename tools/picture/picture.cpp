@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <functional>
 #include <sstream>
 #include <string>
 
@@ -20,6 +21,8 @@
 
 #include "core/errors.h"
 #include "exporters/output_file.h"
+#include "reference.h"
+#include "report.h"
 #include "scene.h"
 
 namespace hexwall {
@@ -64,6 +67,16 @@ void render(const PictureOptions& options) {
   write_png(options.output, window);
 }
 
+void add_reference_flag(CLI::App& app, const std::string& flag,
+                        const std::function<std::string(const CommandInfo&)>& page) {
+  app.add_flag_callback(flag,
+                        [&app, page] {
+                          fmt::print("{}", page(command_info(app.get_name(), app)));
+                          throw CLI::Success();
+                        })
+      ->group("");
+}
+
 void declare_options(CLI::App& app, PictureOptions& o) {
   app.add_option("INPUT", o.input, "VTP or VTU file")->required();
   app.add_option("-o,--output", o.output, "PNG file to write")->required();
@@ -91,6 +104,12 @@ void declare_options(CLI::App& app, PictureOptions& o) {
   app.add_option("--size", o.size, "size in pixels")->capture_default_str();
   app.add_option("--lines", o.lines, "VTP file whose polylines are drawn on top");
   app.add_flag("--perspective", o.perspective, "perspective instead of parallel projection");
+  app.set_version_flag("--version", "hexwall-picture " + version());
+  // For what is made from the program itself, as `hexwall reference` is.
+  add_reference_flag(app, "--reference-man",
+                     [](const CommandInfo& command) { return man_page(command, {"hexwall"}); });
+  add_reference_flag(app, "--reference-bash",
+                     [](const CommandInfo& command) { return bash_completion(command, {}); });
 }
 
 }  // namespace
