@@ -10,9 +10,9 @@
 
 #include <fmt/format.h>
 
-#include "exporters/hex_faces.h"
 #include "exporters/output_file.h"
 #include "exporters/text.h"
+#include "lumen/cell_faces.h"
 
 namespace hexwall {
 namespace {
@@ -23,7 +23,7 @@ constexpr std::size_t kLongestLabel = 80;
 constexpr std::ptrdiff_t kLongestNumber = 20;
 constexpr int kNumbersPerLine = 16;
 
-/// The number n of the face S<n> of a C3D8 that each face of `kHexFaces` is.
+/// The number n of the face S<n> of a C3D8 for each face of a hexahedron, see `faces_of`.
 constexpr std::array<int, 6> kFaceNumber{6, 4, 3, 5, 1, 2};
 
 bool is_letter(char c) {
@@ -108,9 +108,9 @@ void append_regions(const HexMesh& mesh, Text& text) {
   }
 }
 
-void append_node_set(const std::vector<BoundaryFace>& faces, const std::string& label, Text& text) {
+void append_node_set(const std::vector<CellFace>& faces, const std::string& label, Text& text) {
   std::set<int> nodes;
-  for (const BoundaryFace& face : faces) nodes.insert(face.vertices.begin(), face.vertices.end());
+  for (const CellFace& face : faces) nodes.insert(face.vertices.begin(), face.vertices.end());
   text << "*NSET, NSET=" << label << '\n';
   int in_line = 0;
   for (const int v : nodes) {
@@ -121,13 +121,13 @@ void append_node_set(const std::vector<BoundaryFace>& faces, const std::string& 
   text << '\n';
 }
 
-void append_surface(const std::vector<HexFace>& faces, const std::string& label, Text& text) {
+void append_surface(const std::vector<LocalFace>& faces, const std::string& label, Text& text) {
   text << "*SURFACE, NAME=" << label << ", TYPE=ELEMENT\n";
-  for (const HexFace& face : faces)
-    text << face.hex + 1 << ", S" << kFaceNumber[face.local] << '\n';
+  for (const LocalFace& face : faces)
+    text << face.cell + 1 << ", S" << kFaceNumber[face.local] << '\n';
 }
 
-void append_patches(const HexMesh& mesh, const std::vector<std::vector<HexFace>>& faces,
+void append_patches(const CellMesh& mesh, const std::vector<std::vector<LocalFace>>& faces,
                     Text& text) {
   const std::vector<std::string> labels = labels_of(mesh.patches);
   for (std::size_t p = 0; p < mesh.patches.size(); ++p) {
@@ -137,8 +137,8 @@ void append_patches(const HexMesh& mesh, const std::vector<std::vector<HexFace>>
   }
 }
 
-void append_face_zones(const HexMesh& mesh, const HexFaceValues& neighbours, Text& text) {
-  for (const FaceZone& zone : mesh.face_zones) {
+void append_face_zones(const CellMesh& mesh, const CellFaceValues& neighbours, Text& text) {
+  for (const CellPatch& zone : mesh.face_zones) {
     append_node_set(zone.faces, label_of(zone.name), text);
     append_surface(faces_of_zone(mesh, zone, neighbours), label_of(zone.name), text);
   }
@@ -148,9 +148,10 @@ void append_face_zones(const HexMesh& mesh, const HexFaceValues& neighbours, Tex
 
 void write_abaqus(const std::filesystem::path& path, const HexMesh& mesh,
                   const AbaqusOptions& options) {
-  const HexFaceValues neighbours = neighbours_of_hexes(mesh);
-  const std::vector<std::vector<HexFace>> faces = faces_of_patches(mesh, neighbours);
-  group_of_hexes(mesh, mesh.zones);  // a hex in no zone would be missing in the file
+  const CellMesh cells = to_cell_mesh(mesh);
+  const CellFaceValues neighbours = neighbours_of_cells(cells);
+  const std::vector<std::vector<LocalFace>> faces = faces_of_patches(cells, neighbours);
+  group_of_cells(cells, cells.zones);  // a hex in no zone would be missing in the file
   Text text(64 * mesh.points.size() + 80 * mesh.hexes.size() + 1024);
   text << "** Mesh by hexwall, for *INCLUDE in a deck of Abaqus or CalculiX.\n"
           "** Lengths are in the unit of the surface that was meshed.\n"
@@ -160,8 +161,8 @@ void write_abaqus(const std::filesystem::path& path, const HexMesh& mesh,
   append_nodes(mesh, text);
   append_elements(mesh, options.element_type, text);
   append_regions(mesh, text);
-  append_patches(mesh, faces, text);
-  append_face_zones(mesh, neighbours, text);
+  append_patches(cells, faces, text);
+  append_face_zones(cells, neighbours, text);
   write_output_file(path, text.take());
 }
 

@@ -2,102 +2,132 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <set>
+#include <span>
 #include <string>
 #include <vector>
 
 #include <Eigen/Geometry>
 
 #include "core/errors.h"
-#include "exporters/hex_faces.h"
 #include "exporters/output_file.h"
 #include "exporters/text.h"
+#include "lumen/cell_faces.h"
 
 namespace hexwall {
 namespace {
 
-/// What tells the two kinds of entities apart in the file.
-struct Kind {
-  int dimension;
-  int element_type;  ///< Gmsh's number
-  int corners;       ///< vertices per element
+constexpr int kSurface = 2;
+constexpr int kVolume = 3;
+
+/// Gmsh's numbers of the kinds of elements.
+constexpr int kTriangle = 2;
+constexpr int kQuadrangle = 3;
+
+/// Elements of one kind.
+struct Block {
+  int corners = 0;            ///< vertices per element
+  std::vector<int> vertices;  ///< `corners` per element
+  std::vector<int> cells;     ///< with volumes: the cell that each element is
 };
-constexpr Kind kSurface{2, 3, 4};
-constexpr Kind kVolume{3, 5, 8};
 
 /// A discrete surface or volume of Gmsh.
 struct Entity {
-  Kind kind;
+  int dimension;
   int tag;
-  std::vector<int> groups;    ///< tags of its physical groups
-  std::vector<int> vertices;  ///< `kind.corners` per element
-  std::vector<int> nodes;     ///< vertices that no entity before it has
-  std::vector<int> boundary;  ///< tags of the surfaces around a volume
+  std::vector<int> groups;           ///< tags of its physical groups
+  std::map<int, Block> blocks = {};  ///< by Gmsh's number of their kind
+  std::vector<int> nodes = {};       ///< vertices that no entity before it has
+  std::vector<int> boundary = {};    ///< tags of the surfaces around a volume
+
+  void add(int kind, std::span<const int> corners) {
+    Block& block = blocks[kind];
+    block.corners = static_cast<int>(corners.size());
+    block.vertices.insert(block.vertices.end(), corners.begin(), corners.end());
+  }
+
+  void add_face(const std::array<int, 4>& face) {
+    const bool is_triangle = corner_count(face) == 3;
+    add(is_triangle ? kTriangle : kQuadrangle, std::span(face).first(is_triangle ? 3 : 4));
+  }
 };
+
+int gmsh_kind(CellShape shape) {
+  switch (shape) {
+    case CellShape::tetrahedron:
+      return 4;
+    case CellShape::hexahedron:
+      return 5;
+    case CellShape::wedge:
+      return 6;
+    default:
+      return 7;
+  }
+}
 
 int count(const auto& container) {
   return static_cast<int>(container.size());
 }
 
-int element_count(const Entity& entity) {
-  return count(entity.vertices) / entity.kind.corners;
+int element_count(const Block& block) {
+  return count(block.vertices) / block.corners;
 }
 
 /// Whether regions have physical groups of their own, behind those of the zones.
-bool has_regions(const HexMesh& mesh) {
+bool has_regions(const CellMesh& mesh) {
   return mesh.regions.size() > 1;
 }
 
 /// Tags of a zone's own physical group, and that of its region.
-std::vector<int> groups_of_zone(const HexMesh& mesh, int zone) {
+std::vector<int> groups_of_zone(const CellMesh& mesh, int zone) {
   std::vector<int> groups{zone + 1};
-  if (!has_regions(mesh) || mesh.zones[zone].hexes.empty()) return groups;
-  const std::vector<int> region_of = group_of_hexes(mesh, mesh.regions);
-  groups.push_back(count(mesh.zones) + region_of[mesh.zones[zone].hexes.front()] + 1);
+  if (!has_regions(mesh) || mesh.zones[zone].cells.empty()) return groups;
+  const std::vector<int> region_of = group_of_cells(mesh, mesh.regions);
+  groups.push_back(count(mesh.zones) + region_of[mesh.zones[zone].cells.front()] + 1);
   return groups;
 }
 
 /// The volume of each zone, without its boundary.
-std::vector<Entity> volumes_of(const HexMesh& mesh) {
+std::vector<Entity> volumes_of(const CellMesh& mesh) {
   std::vector<Entity> volumes;
   for (int z = 0; z < count(mesh.zones); ++z) {
-    volumes.push_back({kVolume, z + 1, groups_of_zone(mesh, z), {}, {}, {}});
-    for (const int hex : mesh.zones[z].hexes)
-      volumes.back().vertices.insert(volumes.back().vertices.end(), mesh.hexes[hex].begin(),
-                                     mesh.hexes[hex].end());
+    Entity volume{kVolume, z + 1, groups_of_zone(mesh, z)};
+    for (const int cell : mesh.zones[z].cells) {
+      const int kind = gmsh_kind(mesh.shape[cell]);
+      volume.add(kind, mesh.corners(cell));
+      volume.blocks[kind].cells.push_back(cell);
+    }
+    volumes.push_back(std::move(volume));
   }
   return volumes;
 }
 
 /// The surfaces of patch `p`, one for each zone behind it, each entered into the volume's boundary.
-void append_surfaces(const HexMesh& mesh, const std::vector<HexFace>& faces,
+void append_surfaces(const CellMesh& mesh, const std::vector<LocalFace>& faces,
                      const std::vector<int>& zone_of, int p, std::vector<Entity>& surfaces,
                      std::vector<Entity>& volumes) {
-  std::vector<std::vector<int>> vertices_by_zone(mesh.zones.size());
-  for (const HexFace& face : faces) {
-    std::vector<int>& vertices = vertices_by_zone[zone_of[face.hex]];
-    const std::array<int, 4> corners = hex_face(mesh, face.hex, face.local);
-    vertices.insert(vertices.end(), corners.begin(), corners.end());
-  }
-  for (std::size_t z = 0; z < vertices_by_zone.size(); ++z) {
-    if (vertices_by_zone[z].empty()) continue;
-    const int tag = count(surfaces) + 1;
-    surfaces.push_back({kSurface, tag, {p + 1}, std::move(vertices_by_zone[z]), {}, {}});
-    volumes[z].boundary.push_back(tag);
+  std::vector<Entity> by_zone(mesh.zones.size(), Entity{kSurface, 0, {p + 1}});
+  for (const auto& [cell, local] : faces)
+    by_zone[zone_of[cell]].add_face(cell_face(mesh, cell, local));
+  for (std::size_t z = 0; z < by_zone.size(); ++z) {
+    if (by_zone[z].blocks.empty()) continue;
+    by_zone[z].tag = count(surfaces) + 1;
+    volumes[z].boundary.push_back(by_zone[z].tag);
+    surfaces.push_back(std::move(by_zone[z]));
   }
 }
 
 /// The surface of face zone `z`, entered into the boundaries of the volumes on both its sides.
-void append_face_zone(const HexMesh& mesh, int z, const HexFaceValues& neighbours,
+void append_face_zone(const CellMesh& mesh, int z, const CellFaceValues& neighbours,
                       const std::vector<int>& zone_of, std::vector<Entity>& surfaces,
                       std::vector<Entity>& volumes) {
   const int tag = count(surfaces) + 1;
-  Entity surface{kSurface, tag, {count(mesh.patches) + z + 1}, {}, {}, {}};
+  Entity surface{kSurface, tag, {count(mesh.patches) + z + 1}};
   std::set<int> sides;
-  for (const HexFace& face : faces_of_zone(mesh, mesh.face_zones[z], neighbours)) {
-    const std::array<int, 4> corners = hex_face(mesh, face.hex, face.local);
-    surface.vertices.insert(surface.vertices.end(), corners.begin(), corners.end());
-    sides.insert({zone_of[face.hex], zone_of[neighbours[face.hex][face.local]]});
+  for (const auto& [cell, local] : faces_of_zone(mesh, mesh.face_zones[z], neighbours)) {
+    surface.add_face(cell_face(mesh, cell, local));
+    sides.insert({zone_of[cell], zone_of[neighbours[cell][local]]});
   }
   surfaces.push_back(std::move(surface));
   for (const int side : sides) volumes[side].boundary.push_back(tag);
@@ -107,17 +137,18 @@ void append_face_zone(const HexMesh& mesh, int z, const HexFaceValues& neighbour
 void distribute_nodes(int vertices, std::vector<Entity>& entities) {
   std::vector<bool> is_taken(vertices, false);
   for (Entity& entity : entities)
-    for (const int v : entity.vertices) {
-      if (is_taken[v]) continue;
-      is_taken[v] = true;
-      entity.nodes.push_back(v);
-    }
+    for (const auto& [kind, block] : entity.blocks)
+      for (const int v : block.vertices) {
+        if (is_taken[v]) continue;
+        is_taken[v] = true;
+        entity.nodes.push_back(v);
+      }
 }
 
 /// The surfaces, then the volumes, none of them empty.
-std::vector<Entity> entities_of(const HexMesh& mesh) {
-  const std::vector<int> zone_of = group_of_hexes(mesh, mesh.zones);
-  const HexFaceValues neighbours = neighbours_of_hexes(mesh);
+std::vector<Entity> entities_of(const CellMesh& mesh) {
+  const std::vector<int> zone_of = group_of_cells(mesh, mesh.zones);
+  const CellFaceValues neighbours = neighbours_of_cells(mesh);
   const auto faces = faces_of_patches(mesh, neighbours);
   std::vector<Entity> entities;
   std::vector<Entity> volumes = volumes_of(mesh);
@@ -126,7 +157,7 @@ std::vector<Entity> entities_of(const HexMesh& mesh) {
   for (int z = 0; z < count(mesh.face_zones); ++z)
     append_face_zone(mesh, z, neighbours, zone_of, entities, volumes);
   std::copy_if(volumes.begin(), volumes.end(), std::back_inserter(entities),
-               [](const Entity& volume) { return !volume.vertices.empty(); });
+               [](const Entity& volume) { return !volume.blocks.empty(); });
   distribute_nodes(count(mesh.points), entities);
   return entities;
 }
@@ -145,14 +176,14 @@ void append_names(int dimension, const std::vector<Named>& list, int before, Tex
     text << dimension << ' ' << before + i + 1 << " \"" << checked_name(list[i].name) << "\"\n";
 }
 
-void append_physical_names(const HexMesh& mesh, Text& text) {
+void append_physical_names(const CellMesh& mesh, Text& text) {
   const int regions = has_regions(mesh) ? count(mesh.regions) : 0;
   text << "$PhysicalNames\n"
        << count(mesh.patches) + count(mesh.face_zones) + count(mesh.zones) + regions << '\n';
-  append_names(kSurface.dimension, mesh.patches, 0, text);
-  append_names(kSurface.dimension, mesh.face_zones, count(mesh.patches), text);
-  append_names(kVolume.dimension, mesh.zones, 0, text);
-  if (regions > 0) append_names(kVolume.dimension, mesh.regions, count(mesh.zones), text);
+  append_names(kSurface, mesh.patches, 0, text);
+  append_names(kSurface, mesh.face_zones, count(mesh.patches), text);
+  append_names(kVolume, mesh.zones, 0, text);
+  if (regions > 0) append_names(kVolume, mesh.regions, count(mesh.zones), text);
   text << "$EndPhysicalNames\n";
 }
 
@@ -160,9 +191,10 @@ void append_point(const Vec3& p, Text& text) {
   text << p.x() << ' ' << p.y() << ' ' << p.z();
 }
 
-void append_entity(const HexMesh& mesh, const Entity& entity, Text& text) {
+void append_entity(const CellMesh& mesh, const Entity& entity, Text& text) {
   Eigen::AlignedBox3d box;
-  for (const int v : entity.vertices) box.extend(mesh.points[v]);
+  for (const auto& [kind, block] : entity.blocks)
+    for (const int v : block.vertices) box.extend(mesh.points[v]);
   text << entity.tag << ' ';
   append_point(box.min(), text);
   text << ' ';
@@ -174,9 +206,9 @@ void append_entity(const HexMesh& mesh, const Entity& entity, Text& text) {
   text << '\n';
 }
 
-void append_entities(const HexMesh& mesh, const std::vector<Entity>& entities, Text& text) {
+void append_entities(const CellMesh& mesh, const std::vector<Entity>& entities, Text& text) {
   const auto volumes = std::count_if(entities.begin(), entities.end(), [](const Entity& entity) {
-    return entity.kind.dimension == kVolume.dimension;
+    return entity.dimension == kVolume;
   });
   const int surfaces = count(entities) - static_cast<int>(volumes);
   text << "$Entities\n0 0 " << surfaces << ' ' << static_cast<int>(volumes) << '\n';
@@ -186,10 +218,10 @@ void append_entities(const HexMesh& mesh, const std::vector<Entity>& entities, T
 
 /// The line before a block of nodes or elements: its entity, a number, the size.
 void append_block(const Entity& entity, int number, int size, Text& text) {
-  text << entity.kind.dimension << ' ' << entity.tag << ' ' << number << ' ' << size << '\n';
+  text << entity.dimension << ' ' << entity.tag << ' ' << number << ' ' << size << '\n';
 }
 
-void append_nodes(const HexMesh& mesh, const std::vector<Entity>& entities, Text& text) {
+void append_nodes(const CellMesh& mesh, const std::vector<Entity>& entities, Text& text) {
   int nodes = 0;
   for (const Entity& entity : entities) nodes += count(entity.nodes);
   text << "$Nodes\n" << count(entities) << ' ' << nodes << " 1 " << count(mesh.points) << '\n';
@@ -204,40 +236,47 @@ void append_nodes(const HexMesh& mesh, const std::vector<Entity>& entities, Text
   text << "$EndNodes\n";
 }
 
-void append_element(const Entity& entity, int index, int tag, Text& text) {
+void append_element(const Block& block, int index, int tag, Text& text) {
   text << tag;
-  for (int i = 0; i < entity.kind.corners; ++i)
-    text << ' ' << entity.vertices[entity.kind.corners * index + i] + 1;
+  for (int i = 0; i < block.corners; ++i)
+    text << ' ' << block.vertices[block.corners * index + i] + 1;
   text << '\n';
 }
 
-void append_elements(const HexMesh& mesh, const std::vector<Entity>& entities, Text& text) {
+void append_elements(const CellMesh& mesh, const std::vector<Entity>& entities, Text& text) {
+  int blocks = 0;
   int elements = 0;
-  for (const Entity& entity : entities) elements += element_count(entity);
-  text << "$Elements\n" << count(entities) << ' ' << elements << " 1 " << elements << '\n';
-  int face_tag = count(mesh.hexes);
-  for (const Entity& entity : entities) {
-    append_block(entity, entity.kind.element_type, element_count(entity), text);
-    for (int i = 0; i < element_count(entity); ++i) {
-      const bool is_volume = entity.kind.dimension == kVolume.dimension;
-      const int tag = is_volume ? mesh.zones[entity.groups.front() - 1].hexes[i] + 1 : ++face_tag;
-      append_element(entity, i, tag, text);
+  for (const Entity& entity : entities)
+    for (const auto& [kind, block] : entity.blocks) {
+      ++blocks;
+      elements += element_count(block);
     }
-  }
+  text << "$Elements\n" << blocks << ' ' << elements << " 1 " << elements << '\n';
+  int face_tag = mesh.cells();
+  for (const Entity& entity : entities)
+    for (const auto& [kind, block] : entity.blocks) {
+      append_block(entity, kind, element_count(block), text);
+      for (int i = 0; i < element_count(block); ++i)
+        append_element(block, i, block.cells.empty() ? ++face_tag : block.cells[i] + 1, text);
+    }
   text << "$EndElements\n";
 }
 
 }  // namespace
 
-void write_gmsh(const std::filesystem::path& path, const HexMesh& mesh) {
+void write_gmsh(const std::filesystem::path& path, const CellMesh& mesh) {
   const std::vector<Entity> entities = entities_of(mesh);
-  Text text(80 * mesh.points.size() + 80 * mesh.hexes.size() + 1024);
+  Text text(80 * mesh.points.size() + 80 * mesh.shape.size() + 1024);
   text << "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n";  // version, ASCII, size of a number
   append_physical_names(mesh, text);
   append_entities(mesh, entities, text);
   append_nodes(mesh, entities, text);
   append_elements(mesh, entities, text);
   write_output_file(path, text.take());
+}
+
+void write_gmsh(const std::filesystem::path& path, const HexMesh& mesh) {
+  write_gmsh(path, to_cell_mesh(mesh));
 }
 
 }  // namespace hexwall

@@ -2,30 +2,34 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <string>
 #include <string_view>
 #include <utility>
 
 #include "core/errors.h"
-#include "exporters/hex_faces.h"
 #include "exporters/output_file.h"
 #include "exporters/text.h"
+#include "lumen/cell_faces.h"
 
 namespace hexwall {
 namespace {
 
-constexpr std::string_view kMeshFolder = "constant/polyMesh";
-
-/// A face of the OpenFOAM mesh: a face of its owner, and the hex behind it or -1.
-struct FoamFace {
-  int owner;
-  int local;
-  int neighbour;
+/// What a patch of type `mappedWall` takes its values from.
+struct Sample {
+  std::string region;
+  std::string patch;
 };
 
-struct FoamFaces {
-  std::vector<FoamFace> faces;  ///< internal faces, then those of the patches in order
-  int internal = 0;
+/// A mesh of the case, of a region or of all.
+struct FoamMesh {
+  const CellMesh& mesh;
+  std::string region = {};                          ///< empty: the case's own
+  std::map<std::string, Sample> mapped_walls = {};  ///< by patch
+
+  std::string folder() const {
+    return "constant/" + (region.empty() ? "" : region + '/') + "polyMesh";
+  }
 };
 
 [[noreturn]] void inconsistent(const std::string& what) {
@@ -47,77 +51,52 @@ std::string header(std::string_view foam_class, std::string_view location, std::
   return text.take();
 }
 
-OutputFile mesh_file(std::string_view foam_class, std::string_view name, std::string body,
-                     const std::string& note = "") {
-  body.insert(0, header(foam_class, kMeshFolder, name, note));
-  return {std::string(kMeshFolder) + '/' + std::string(name), std::move(body)};
+OutputFile mesh_file(const FoamMesh& target, std::string_view foam_class, std::string_view name,
+                     std::string body, const std::string& note = "") {
+  body.insert(0, header(foam_class, target.folder(), name, note));
+  return {target.folder() + '/' + std::string(name), std::move(body)};
 }
 
-/// Neighbours with a higher number, in ascending order: upper-triangular order.
-void append_internal_faces(const HexFaceValues& neighbours, FoamFaces& result) {
-  const auto by_neighbour = [](const FoamFace& a, const FoamFace& b) {
-    return std::pair(a.neighbour, a.local) < std::pair(b.neighbour, b.local);
-  };
-  for (int hex = 0; hex < count(neighbours); ++hex) {
-    const int first = count(result.faces);
-    for (int i = 0; i < 6; ++i)
-      if (neighbours[hex][i] > hex) result.faces.push_back({hex, i, neighbours[hex][i]});
-    std::sort(result.faces.begin() + first, result.faces.end(), by_neighbour);
-  }
-  result.internal = count(result.faces);
-}
-
-/// Boundary faces by patch, and by owner within a patch.
-void append_boundary_faces(const std::vector<std::vector<HexFace>>& of_patch, FoamFaces& result) {
-  for (const std::vector<HexFace>& faces : of_patch)
-    for (const HexFace& face : faces) result.faces.push_back({face.hex, face.local, -1});
-}
-
-FoamFaces foam_faces(const HexMesh& mesh) {
-  const HexFaceValues neighbours = neighbours_of_hexes(mesh);
-  FoamFaces result;
-  result.faces.reserve(4 * mesh.hexes.size());
-  append_internal_faces(neighbours, result);
-  append_boundary_faces(faces_of_patches(mesh, neighbours), result);
-  return result;
-}
-
-OutputFile points_file(const HexMesh& mesh, double scale) {
+OutputFile points_file(const FoamMesh& target, double scale) {
+  const CellMesh& mesh = target.mesh;
   Text text(64 * mesh.points.size() + 64);
   text << count(mesh.points) << "\n(\n";
   for (const Vec3& p : mesh.points)
     text << '(' << scale * p.x() << ' ' << scale * p.y() << ' ' << scale * p.z() << ")\n";
   text << ")\n";
-  return mesh_file("vectorField", "points", text.take());
+  return mesh_file(target, "vectorField", "points", text.take());
 }
 
-OutputFile faces_file(const HexMesh& mesh, const FoamFaces& faces) {
+OutputFile faces_file(const FoamMesh& target, const SharedFaces& faces) {
   Text text(40 * faces.faces.size() + 64);
   text << count(faces.faces) << "\n(\n";
-  for (const FoamFace& face : faces.faces) {
-    // The face points out of its owner: to the neighbour, or out of the mesh.
-    const std::array<int, 4> v = hex_face(mesh, face.owner, face.local);
-    text << "4(" << v[0] << ' ' << v[1] << ' ' << v[2] << ' ' << v[3] << ")\n";
+  for (const SharedFace& face : faces.faces) {
+    const std::array<int, 4>& v = face.vertices;
+    text << corner_count(v) << '(' << v[0] << ' ' << v[1] << ' ' << v[2];
+    if (corner_count(v) == 4) text << ' ' << v[3];
+    text << ")\n";
   }
   text << ")\n";
-  return mesh_file("faceList", "faces", text.take());
+  return mesh_file(target, "faceList", "faces", text.take());
 }
 
-std::string size_note(const HexMesh& mesh, const FoamFaces& faces) {
+std::string size_note(const CellMesh& mesh, const SharedFaces& faces) {
   Text note(128);
-  note << "nPoints:" << count(mesh.points) << "  nCells:" << count(mesh.hexes)
+  note << "nPoints:" << count(mesh.points) << "  nCells:" << mesh.cells()
        << "  nFaces:" << count(faces.faces) << "  nInternalFaces:" << faces.internal;
   return note.take();
 }
 
-/// The `owner` or `neighbour` file: `member` of the first `n` faces.
-OutputFile labels_file(std::string_view name, const FoamFaces& faces, int n, int FoamFace::*member,
+/// The `owner` or the `neighbour` file.
+OutputFile labels_file(const FoamMesh& target, const SharedFaces& faces, bool of_neighbours,
                        const std::string& note) {
+  const int n = of_neighbours ? faces.internal : count(faces.faces);
   Text text(10 * faces.faces.size() + 64);
   text << n << "\n(\n";
-  for (int i = 0; i < n; ++i) text << faces.faces[i].*member << '\n';
+  for (int i = 0; i < n; ++i)
+    text << (of_neighbours ? faces.faces[i].neighbour : faces.faces[i].owner) << '\n';
   text << ")\n";
-  return mesh_file("labelList", name, text.take(), note);
+  return mesh_file(target, "labelList", of_neighbours ? "neighbour" : "owner", text.take(), note);
 }
 
 const std::string& checked_word(const std::string& name) {
@@ -130,32 +109,45 @@ const std::string& checked_word(const std::string& name) {
   return name;
 }
 
-OutputFile boundary_file(const HexMesh& mesh, const FoamFaces& faces) {
+void append_patch(const FoamMesh& target, const CellPatch& patch, int start, Text& text) {
+  const auto mapped = target.mapped_walls.find(patch.name);
+  const bool is_mapped = mapped != target.mapped_walls.end();
+  text << "    " << checked_word(patch.name) << "\n    {\n        type            "
+       << (is_mapped ? "mappedWall" : (patch.is_wall ? "wall" : "patch"))
+       << ";\n        nFaces          " << count(patch.faces) << ";\n        startFace       "
+       << start << ";\n";
+  if (is_mapped) {
+    text << "        sampleMode      nearestPatchFace;\n        sampleRegion    "
+         << mapped->second.region << ";\n        samplePatch     " << mapped->second.patch << ";\n";
+  }
+  text << "    }\n";
+}
+
+OutputFile boundary_file(const FoamMesh& target, const SharedFaces& faces) {
   Text text(1024);
   int start = faces.internal;
-  text << count(mesh.patches) << "\n(\n";
-  for (const BoundaryPatch& patch : mesh.patches) {
-    text << "    " << checked_word(patch.name) << "\n    {\n        type            "
-         << (patch.is_wall ? "wall" : "patch") << ";\n        nFaces          "
-         << count(patch.faces) << ";\n        startFace       " << start << ";\n    }\n";
+  text << count(target.mesh.patches) << "\n(\n";
+  for (const CellPatch& patch : target.mesh.patches) {
+    append_patch(target, patch, start, text);
     start += count(patch.faces);
   }
   text << ")\n";
-  return mesh_file("polyBoundaryMesh", "boundary", text.take());
+  return mesh_file(target, "polyBoundaryMesh", "boundary", text.take());
 }
 
-OutputFile zones_file(const HexMesh& mesh) {
-  group_of_hexes(mesh, mesh.zones);  // OpenFOAM wants zones that do not overlap
-  Text text(10 * mesh.hexes.size() + 1024);
+OutputFile zones_file(const FoamMesh& target) {
+  const CellMesh& mesh = target.mesh;
+  group_of_cells(mesh, mesh.zones);  // OpenFOAM wants zones that do not overlap
+  Text text(10 * mesh.shape.size() + 1024);
   text << count(mesh.zones) << "\n(\n";
-  for (const CellZone& zone : mesh.zones) {
+  for (const CellGroup& zone : mesh.zones) {
     text << checked_word(zone.name) << "\n{\n    type cellZone;\ncellLabels List<label>\n"
-         << count(zone.hexes) << "\n(\n";
-    for (const int hex : zone.hexes) text << hex << '\n';
+         << count(zone.cells) << "\n(\n";
+    for (const int cell : zone.cells) text << cell << '\n';
     text << ")\n;\n}\n";
   }
   text << ")\n";
-  return mesh_file("regIOobject", "cellZones", text.take());
+  return mesh_file(target, "regIOobject", "cellZones", text.take());
 }
 
 /// Numbers of a face zone's faces among the internal ones, and whether each faces its neighbour's
@@ -165,27 +157,28 @@ struct ZoneFaces {
   std::vector<bool> flipped;
 };
 
-ZoneFaces zone_faces(const HexMesh& mesh, const FaceZone& zone, const FoamFaces& faces) {
-  const HexFaceValues neighbours = neighbours_of_hexes(mesh);
+ZoneFaces zone_faces(const CellMesh& mesh, const CellPatch& zone, const SharedFaces& faces) {
+  const CellFaceValues neighbours = neighbours_of_cells(mesh);
   ZoneFaces result;
-  for (const HexFace& face : faces_of_zone(mesh, zone, neighbours)) {
-    const int other = neighbours[face.hex][face.local];
-    const auto [owner, neighbour] = std::minmax(face.hex, other);
+  for (const LocalFace& face : faces_of_zone(mesh, zone, neighbours)) {
+    const int other = neighbours[face.cell][face.local];
+    const auto [owner, neighbour] = std::minmax(face.cell, other);
     const auto end = faces.faces.begin() + faces.internal;
     const auto found = std::lower_bound(faces.faces.begin(), end, std::pair(owner, neighbour),
-                                        [](const FoamFace& f, const std::pair<int, int>& key) {
+                                        [](const SharedFace& f, const std::pair<int, int>& key) {
                                           return std::pair(f.owner, f.neighbour) < key;
                                         });
     result.numbers.push_back(static_cast<int>(found - faces.faces.begin()));
-    result.flipped.push_back(owner != face.hex);
+    result.flipped.push_back(owner != face.cell);
   }
   return result;
 }
 
-OutputFile face_zones_file(const HexMesh& mesh, const FoamFaces& faces) {
+OutputFile face_zones_file(const FoamMesh& target, const SharedFaces& faces) {
+  const CellMesh& mesh = target.mesh;
   Text text(1024);
   text << count(mesh.face_zones) << "\n(\n";
-  for (const FaceZone& zone : mesh.face_zones) {
+  for (const CellPatch& zone : mesh.face_zones) {
     const ZoneFaces of_zone = zone_faces(mesh, zone, faces);
     text << checked_word(zone.name) << "\n{\n    type faceZone;\nfaceLabels List<label>\n"
          << count(of_zone.numbers) << "\n(\n";
@@ -195,26 +188,26 @@ OutputFile face_zones_file(const HexMesh& mesh, const FoamFaces& faces) {
     text << ")\n;\n}\n";
   }
   text << ")\n";
-  return mesh_file("regIOobject", "faceZones", text.take());
+  return mesh_file(target, "regIOobject", "faceZones", text.take());
 }
 
 /// The hexes of a region as a set, since zones, which may not overlap, are the layers.
-OutputFile cell_set_file(const CellZone& region) {
-  Text text(10 * region.hexes.size() + 64);
-  text << count(region.hexes) << "\n(\n";
-  for (const int hex : region.hexes) text << hex << '\n';
+OutputFile cell_set_file(const FoamMesh& target, const CellGroup& region) {
+  Text text(10 * region.cells.size() + 64);
+  text << count(region.cells) << "\n(\n";
+  for (const int cell : region.cells) text << cell << '\n';
   text << ")\n";
-  const std::string folder = std::string(kMeshFolder) + "/sets";
+  const std::string folder = target.folder() + "/sets";
   return {folder + '/' + checked_word(region.name),
           header("cellSet", folder, region.name) + text.take()};
 }
 
-OutputFile dictionary(std::string_view name, std::string_view body) {
-  return {"system/" + std::string(name), header("dictionary", "system", name) + std::string(body)};
+OutputFile dictionary(const std::string& folder, std::string_view name, std::string_view body) {
+  return {folder + '/' + std::string(name), header("dictionary", folder, name) + std::string(body)};
 }
 
-void append_system_files(std::vector<OutputFile>& files) {
-  files.push_back(dictionary("controlDict", R"(application     checkMesh;
+void append_control(std::vector<OutputFile>& files) {
+  files.push_back(dictionary("system", "controlDict", R"(application     checkMesh;
 startFrom       startTime;
 startTime       0;
 stopAt          endTime;
@@ -223,41 +216,79 @@ deltaT          1;
 writeControl    timeStep;
 writeInterval   1;
 )"));
-  files.push_back(dictionary("fvSchemes", R"(ddtSchemes           { default steadyState; }
+}
+
+void append_schemes(const std::string& folder, std::vector<OutputFile>& files) {
+  files.push_back(dictionary(folder, "fvSchemes", R"(ddtSchemes           { default steadyState; }
 gradSchemes          { default Gauss linear; }
 divSchemes           { default none; }
 laplacianSchemes     { default Gauss linear corrected; }
 interpolationSchemes { default linear; }
 snGradSchemes        { default corrected; }
 )"));
-  files.push_back(dictionary("fvSolution", "solvers {}\n"));
+  files.push_back(dictionary(folder, "fvSolution", "solvers {}\n"));
 }
 
-std::vector<OutputFile> case_files(const HexMesh& mesh, double metres_per_unit) {
-  const FoamFaces faces = foam_faces(mesh);
+void append_mesh(const FoamMesh& target, double metres_per_unit, std::vector<OutputFile>& files) {
+  const CellMesh& mesh = target.mesh;
+  const SharedFaces faces = shared_faces(mesh);
   const std::string note = size_note(mesh, faces);
-  std::vector<OutputFile> files;
-  files.push_back(points_file(mesh, metres_per_unit));
-  files.push_back(faces_file(mesh, faces));
-  files.push_back(labels_file("owner", faces, count(faces.faces), &FoamFace::owner, note));
-  files.push_back(labels_file("neighbour", faces, faces.internal, &FoamFace::neighbour, note));
-  files.push_back(boundary_file(mesh, faces));
-  files.push_back(zones_file(mesh));
-  if (!mesh.face_zones.empty()) files.push_back(face_zones_file(mesh, faces));
+  files.push_back(points_file(target, metres_per_unit));
+  files.push_back(faces_file(target, faces));
+  files.push_back(labels_file(target, faces, false, note));
+  files.push_back(labels_file(target, faces, true, note));
+  files.push_back(boundary_file(target, faces));
+  files.push_back(zones_file(target));
+  if (!mesh.face_zones.empty()) files.push_back(face_zones_file(target, faces));
   if (mesh.regions.size() > 1) {
-    for (const CellZone& region : mesh.regions) files.push_back(cell_set_file(region));
+    for (const CellGroup& region : mesh.regions) files.push_back(cell_set_file(target, region));
   }
-  append_system_files(files);
-  return files;
+}
+
+void check_unit(double metres_per_unit) {
+  if (!std::isfinite(metres_per_unit) || metres_per_unit <= 0)
+    inconsistent("the unit of length must be positive");
+}
+
+void append_region(const CellMesh& mesh, int region, double metres_per_unit,
+                   std::vector<OutputFile>& files) {
+  const std::string& own = checked_word(mesh.regions[region].name);
+  const std::string& other = checked_word(mesh.regions[1 - region].name);
+  const CellMesh part = region_mesh(mesh, region);
+  append_mesh({part, own, {{own + "_to_" + other, {other, other + "_to_" + own}}}}, metres_per_unit,
+              files);
+  append_schemes("system/" + own, files);
 }
 
 }  // namespace
 
+void write_openfoam(const std::filesystem::path& case_dir, const CellMesh& mesh,
+                    double metres_per_unit) {
+  check_unit(metres_per_unit);
+  std::vector<OutputFile> files;
+  append_mesh({mesh}, metres_per_unit, files);
+  append_control(files);
+  append_schemes("system", files);
+  write_output_files(case_dir, files);
+}
+
 void write_openfoam(const std::filesystem::path& case_dir, const HexMesh& mesh,
                     double metres_per_unit) {
-  if (!std::isfinite(metres_per_unit) || metres_per_unit <= 0)
-    inconsistent("the unit of length must be positive");
-  write_output_files(case_dir, case_files(mesh, metres_per_unit));
+  write_openfoam(case_dir, to_cell_mesh(mesh), metres_per_unit);
+}
+
+void write_openfoam_regions(const std::filesystem::path& case_dir, const CellMesh& mesh,
+                            double metres_per_unit) {
+  check_unit(metres_per_unit);
+  if (mesh.regions.size() != 2) inconsistent("a mesh of two regions is needed");
+  std::vector<OutputFile> files;
+  for (int region = 0; region < 2; ++region) append_region(mesh, region, metres_per_unit, files);
+  append_control(files);
+  append_schemes("system", files);
+  files.push_back(dictionary(
+      "constant", "regionProperties",
+      "regions (fluid (" + mesh.regions[0].name + ") solid (" + mesh.regions[1].name + "));\n"));
+  write_output_files(case_dir, files);
 }
 
 }  // namespace hexwall

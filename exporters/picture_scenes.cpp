@@ -90,13 +90,14 @@ PolyData openings_data(const PipelineResult& r) {
 /// A plane through the vessel and the place to look at.
 struct Cut {
   Vec3 at, normal;
+  Vec3 along;                    ///< in the plane: where the vessel extends most
   std::optional<double> radius;  ///< of what is to be seen; none: everything
 };
 
 // The zero where the vessel is widest, with the plane in which its branches lie; without a zero the
 // plane of the two greatest extents of the vessel.
 Cut find_cut(const PipelineResult& r) {
-  Cut cut{matrix_of(r.quads.points).rowwise().mean(), Vec3::UnitZ(), std::nullopt};
+  Cut cut{matrix_of(r.quads.points).rowwise().mean(), Vec3::UnitZ(), Vec3::UnitX(), std::nullopt};
   double widest = 0.0;
   for (const Zero& zero : r.foliation.graph.zeros) {
     if (zero.loop >= 0) continue;
@@ -109,7 +110,7 @@ Cut find_cut(const PipelineResult& r) {
     if (radius <= widest) continue;
     widest = radius;
     cut.at = at;
-    cut.radius = 3.0 * radius;
+    cut.radius = 4.0 * radius;
   }
   std::vector<Vec3> around;
   for (const Vec3& p : r.quads.points) {
@@ -120,6 +121,8 @@ Cut find_cut(const PipelineResult& r) {
   const Eigen::Matrix3Xd centred = points.colwise() - cut.at;
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(centred * centred.transpose());
   cut.normal = axes.eigenvectors().col(0);
+  cut.along = axes.eigenvectors().col(2);
+  if (cut.along.sum() < 0.0) cut.along *= -1.0;
   Eigen::Index largest = 0;
   cut.normal.cwiseAbs().maxCoeff(&largest);
   if (cut.normal[largest] < 0.0) cut.normal *= -1.0;
@@ -129,12 +132,11 @@ Cut find_cut(const PipelineResult& r) {
 PictureScene cut_scene(const PipelineResult& r, const std::string& wall) {
   const Cut cut = find_cut(r);
   // What lies beyond the plane stays, and is looked at through it, a little from the side.
-  const Vec3 right = cut.normal.unitOrthogonal();
+  const Vec3& right = cut.along;
   const Vec3 up = cut.normal.cross(right);
   const Vec3 eye = (-cut.normal + 0.25 * right + 0.35 * up).normalized();
   std::vector<std::string> arguments{wall,      "--array",
-                                     "zone",    "--title",
-                                     "layer",   "--edges",
+                                     "zone",    "--edges",
                                      "--clip",  joined({cut.at, cut.normal}),
                                      "--frame", joined({up.cross(eye).normalized(), up})};
   if (cut.radius) {
@@ -185,7 +187,7 @@ std::vector<PictureScene> write_picture_scenes(const fs::path& folder, const Pip
       cut_scene(r, file("wall.vtu")),
       {"scaled_jacobian",
        "The hexahedra by scaled Jacobian: 1 is a box.",
-       {file("wall.vtu"), "--array", "scaled_jacobian", "--title", "scaled Jacobian", "--range",
+       {file("wall.vtu"), "--array", "scaled_jacobian", "--title", "scaled\nJacobian", "--range",
         "0,1", "--frame", view}}};
   const auto add_side = [&](const std::optional<ThicknessResult>& side, const std::string& prefix,
                             const std::string& of) {
@@ -193,7 +195,7 @@ std::vector<PictureScene> write_picture_scenes(const fs::path& folder, const Pip
     scenes.push_back({prefix + "thickness_ratio",
                       "Thickness of " + of + ", given / asked.",
                       {file("quads.vtp"), "--array", prefix + "thickness_ratio", "--title",
-                       "given / asked", "--range", ratio_range(*side), "--frame", view}});
+                       "given /\nasked", "--range", ratio_range(*side), "--frame", view}});
   };
   add_side(r.outward, "", "the wall");
   add_side(r.inward, "inner_", "the layers in the lumen");

@@ -1,6 +1,7 @@
 #include "exporters/report_page.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <utility>
 
@@ -148,15 +149,24 @@ AnyMesh as_any_mesh(const QuadMesh& quads) {
   return mesh;
 }
 
+// From and to multiples of `step` around the values.
+Bins bins_around(const std::vector<double>& values, double step, int count) {
+  const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
+  return {step * std::floor(*least / step), step * std::ceil(*greatest / step), count};
+}
+
 std::string plots(const PipelineResult& r, const Json& report) {
   const AnyMesh mesh = as_any_mesh(r.quads);
   std::vector<int> all(r.quads.quads.size());
   for (std::size_t q = 0; q < all.size(); ++q) all[q] = static_cast<int>(q);
   CornerValues corners = measure_corners(mesh, all);
-  const Bins ratio_bins = log_ratio_bins(corners.log_edge_ratio);
-  const Distribution angles = distribution_of(std::move(corners.angle), angle_bins);
+  Bins ratio_bins = log_ratio_bins(corners.log_edge_ratio);
+  ratio_bins.count = 80;
+  const Bins near_right = bins_around(corners.angle, 10.0, 45);
+  const Bins up_to_one{bins_around(r.wall_scaled_jacobian, 0.1, 0).low, 1.0, 40};
+  const Distribution angles = distribution_of(std::move(corners.angle), near_right);
   const Distribution ratios = distribution_of(std::move(corners.log_edge_ratio), ratio_bins);
-  const Distribution jacobians = distribution_of(r.wall_scaled_jacobian, {0.0, 1.0, 40});
+  const Distribution jacobians = distribution_of(r.wall_scaled_jacobian, up_to_one);
   const auto& iterations = report["energy"]["iterations"];
   std::string html = "<div class=\"grid\">\n";
   html += figure(svg_histogram(angles.histogram, "degrees", 90.0), "Corner angles of the quads.");

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "core/errors.h"
-#include "exporters/hex_faces.h"
 #include "exporters/output_file.h"
 #include "exporters/text.h"
 #include "exporters/vtk_files.h"
+#include "lumen/cell_faces.h"
 
 namespace hexwall {
 namespace {
@@ -28,30 +28,30 @@ std::vector<int> from_one(std::vector<int> ids) {
   return ids;
 }
 
-OutputFile volume_file(const HexMesh& mesh) {
+OutputFile volume_file(const HexMesh& mesh, const CellMesh& cells) {
   return {"mesh-complete.mesh.vtu",
           vtu_bytes(mesh,
                     {{"GlobalElementID", 1, numbers(mesh.hexes.size())},
-                     {"ModelRegionID", 1, from_one(group_of_hexes(mesh, mesh.zones))}},
+                     {"ModelRegionID", 1, from_one(group_of_cells(cells, cells.zones))}},
                     {{"GlobalNodeID", 1, numbers(mesh.points.size())}})};
 }
 
-OutputFile domains_file(const HexMesh& mesh) {
-  Text text(4 * mesh.hexes.size());
-  for (const int zone : group_of_hexes(mesh, mesh.zones)) text << zone + 1 << '\n';
+OutputFile domains_file(const CellMesh& cells) {
+  Text text(4 * cells.shape.size());
+  for (const int zone : group_of_cells(cells, cells.zones)) text << zone + 1 << '\n';
   return {"domain_ids.dat", text.take()};
 }
 
 /// Makes the points of a surface on the way: each once, in the order in which faces use them.
 class Surface {
  public:
-  explicit Surface(const HexMesh& mesh) : mesh_(mesh), point_of_(mesh.points.size(), -1) {}
+  explicit Surface(const CellMesh& mesh) : mesh_(mesh), point_of_(mesh.points.size(), -1) {}
 
-  void add(const HexFace& face, int patch) {
-    std::array<int, 4> points = hex_face(mesh_, face.hex, face.local);
+  void add(const LocalFace& face, int patch) {
+    std::array<int, 4> points = cell_face(mesh_, face.cell, face.local);
     for (int& v : points) v = point(v);
     data_.polygons.add(points);
-    elements_.push_back(face.hex + 1);
+    elements_.push_back(face.cell + 1);
     faces_.push_back(patch + 1);
   }
 
@@ -72,18 +72,18 @@ class Surface {
     return point_of_[vertex];
   }
 
-  const HexMesh& mesh_;
+  const CellMesh& mesh_;
   std::vector<int> point_of_;  ///< #V place of each vertex in `data_`, or -1
   PolyData data_;
   std::vector<int> nodes_, elements_, faces_;
 };
 
 /// The faces of the given patches as one surface.
-std::string surface_bytes(const HexMesh& mesh, const std::vector<std::vector<HexFace>>& faces,
+std::string surface_bytes(const CellMesh& mesh, const std::vector<std::vector<LocalFace>>& faces,
                           const std::vector<int>& patches) {
   Surface surface(mesh);
   for (const int patch : patches)
-    for (const HexFace& face : faces[patch]) surface.add(face, patch);
+    for (const LocalFace& face : faces[patch]) surface.add(face, patch);
   return std::move(surface).bytes();
 }
 
@@ -94,8 +94,8 @@ const std::string& checked_file_name(const std::string& name) {
   return name;
 }
 
-std::vector<OutputFile> surface_files(const HexMesh& mesh) {
-  const HexFaceValues neighbours = neighbours_of_hexes(mesh);
+std::vector<OutputFile> surface_files(const CellMesh& mesh) {
+  const CellFaceValues neighbours = neighbours_of_cells(mesh);
   const auto faces = faces_of_patches(mesh, neighbours);
   std::vector<OutputFile> files;
   std::vector<int> all, walls;
@@ -107,9 +107,9 @@ std::vector<OutputFile> surface_files(const HexMesh& mesh) {
                      surface_bytes(mesh, faces, {p})});
   }
   for (std::size_t z = 0; z < mesh.face_zones.size(); ++z) {
-    const FaceZone& zone = mesh.face_zones[z];
+    const CellPatch& zone = mesh.face_zones[z];
     Surface surface(mesh);
-    for (const HexFace& face : faces_of_zone(mesh, zone, neighbours))
+    for (const LocalFace& face : faces_of_zone(mesh, zone, neighbours))
       surface.add(face, static_cast<int>(faces.size() + z));
     files.push_back(
         {"mesh-surfaces/" + checked_file_name(zone.name) + ".vtp", std::move(surface).bytes()});
@@ -122,9 +122,10 @@ std::vector<OutputFile> surface_files(const HexMesh& mesh) {
 }  // namespace
 
 void write_svmultiphysics(const std::filesystem::path& folder, const HexMesh& mesh) {
-  std::vector<OutputFile> files = surface_files(mesh);
-  files.push_back(domains_file(mesh));
-  files.push_back(volume_file(mesh));
+  const CellMesh cells = to_cell_mesh(mesh);
+  std::vector<OutputFile> files = surface_files(cells);
+  files.push_back(domains_file(cells));
+  files.push_back(volume_file(mesh, cells));
   write_output_files(folder, files);
 }
 

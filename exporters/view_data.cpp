@@ -14,8 +14,8 @@
 #include <vtkZLibDataCompressor.h>
 
 #include "core/errors.h"
-#include "exporters/hex_faces.h"
 #include "exporters/view_frame.h"
+#include "lumen/cell_faces.h"
 
 namespace hexwall {
 namespace {
@@ -145,9 +145,10 @@ ViewData view_data(const PipelineResult& r, std::size_t most_hexes) {
   constexpr std::array unit_range{0.0, 1.0};
   if (has_hexes) {
     blocks.add("corners", differences(r.wall.hexes));
-    arrays.add_groups("zone", "layer or zone", r.wall.zones, group_of_hexes(r.wall, r.wall.zones));
+    const CellMesh cells = to_cell_mesh(r.wall);
+    arrays.add_groups("zone", "layer or zone", r.wall.zones, group_of_cells(cells, cells.zones));
     if (r.wall.regions.size() > 1) {
-      arrays.add_groups("region", "region", r.wall.regions, group_of_hexes(r.wall, r.wall.regions));
+      arrays.add_groups("region", "region", r.wall.regions, group_of_cells(cells, cells.regions));
     }
     arrays.add("scaled_jacobian", "scaled Jacobian", "cells", r.wall_scaled_jacobian, unit_range);
   } else {

@@ -4,7 +4,6 @@
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
-#include <vtkCellType.h>
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
 #include <vtkFloatArray.h>
@@ -20,8 +19,8 @@
 #include <vtkXMLUnstructuredGridWriter.h>
 
 #include "core/errors.h"
-#include "exporters/hex_faces.h"
 #include "exporters/output_file.h"
+#include "lumen/cell_faces.h"
 
 namespace hexwall {
 namespace {
@@ -119,32 +118,30 @@ FieldStrings names_of(const std::string& name, const std::vector<Named>& list) {
   return names;
 }
 
-vtkSmartPointer<vtkCellArray> hex_cells(const HexMesh& mesh) {
-  std::vector<int> offsets(mesh.hexes.size() + 1);
-  for (std::size_t i = 0; i < offsets.size(); ++i) offsets[i] = static_cast<int>(8 * i);
-  const int* vertices = mesh.hexes.empty() ? nullptr : mesh.hexes.front().data();
+void set_cells(vtkUnstructuredGrid* grid, const CellMesh& mesh) {
+  std::vector<int> types;
+  types.reserve(mesh.shape.size());
+  for (const CellShape shape : mesh.shape) types.push_back(static_cast<int>(shape));
   auto cells = vtkSmartPointer<vtkCellArray>::New();
-  cells->SetData(to_vtk(offsets.data(), offsets.size(), 1).Get(),
-                 to_vtk(vertices, 8 * mesh.hexes.size(), 1).Get());
-  return cells;
+  cells->SetData(to_vtk(mesh.offset.data(), mesh.offset.size(), 1).Get(),
+                 to_vtk(mesh.connectivity.data(), mesh.connectivity.size(), 1).Get());
+  grid->SetCells(types.data(), cells);
 }
 
-std::vector<int> flattened(const HexFaceValues& values) {
+std::vector<int> flattened(const CellFaceValues& values) {
   std::vector<int> flat;
   flat.reserve(6 * values.size());
-  for (const auto& of_hex : values) flat.insert(flat.end(), of_hex.begin(), of_hex.end());
+  for (const auto& of_cell : values) flat.insert(flat.end(), of_cell.begin(), of_cell.end());
   return flat;
 }
 
-void add_mesh_data(vtkUnstructuredGrid* grid, const HexMesh& mesh) {
+void add_mesh_data(vtkUnstructuredGrid* grid, const CellMesh& mesh) {
   const std::vector<DataArray> arrays{
-      {"layer", 1, mesh.layer},
-      {"quad", 1, mesh.quad},
-      {"zone", 1, group_of_hexes(mesh, mesh.zones)},
-      {"region", 1, group_of_hexes(mesh, mesh.regions)},
-      {"patch_of_face", 6, flattened(patch_of_hex_faces(mesh))},
+      {"zone", 1, group_of_cells(mesh, mesh.zones)},
+      {"region", 1, group_of_cells(mesh, mesh.regions)},
+      {"patch_of_face", 6, flattened(patch_of_faces(mesh))},
   };
-  add_arrays(grid->GetCellData(), arrays, mesh.hexes.size());
+  add_arrays(grid->GetCellData(), arrays, mesh.shape.size());
   add_strings(grid, names_of("patch_names", mesh.patches));
   add_strings(grid, names_of("zone_names", mesh.zones));
   add_strings(grid, names_of("region_names", mesh.regions));
@@ -173,15 +170,22 @@ std::string vtp_bytes(const PolyData& data) {
   return xml_bytes<vtkXMLPolyDataWriter>(poly);
 }
 
-std::string vtu_bytes(const HexMesh& mesh, const std::vector<DataArray>& cell_arrays,
+std::string vtu_bytes(const CellMesh& mesh, const std::vector<DataArray>& cell_arrays,
                       const std::vector<DataArray>& point_arrays) {
   vtkNew<vtkUnstructuredGrid> grid;
   grid->SetPoints(to_vtk(mesh.points));
-  grid->SetCells(VTK_HEXAHEDRON, hex_cells(mesh));
+  set_cells(grid, mesh);
   add_mesh_data(grid, mesh);
-  add_arrays(grid->GetCellData(), cell_arrays, mesh.hexes.size());
+  add_arrays(grid->GetCellData(), cell_arrays, mesh.shape.size());
   add_arrays(grid->GetPointData(), point_arrays, mesh.points.size());
   return xml_bytes<vtkXMLUnstructuredGridWriter>(grid);
+}
+
+std::string vtu_bytes(const HexMesh& mesh, const std::vector<DataArray>& cell_arrays,
+                      const std::vector<DataArray>& point_arrays) {
+  std::vector<DataArray> arrays{{"layer", 1, mesh.layer}, {"quad", 1, mesh.quad}};
+  arrays.insert(arrays.end(), cell_arrays.begin(), cell_arrays.end());
+  return vtu_bytes(to_cell_mesh(mesh), arrays, point_arrays);
 }
 
 void write_vtp(const std::filesystem::path& path, const PolyData& data) {
@@ -189,6 +193,12 @@ void write_vtp(const std::filesystem::path& path, const PolyData& data) {
 }
 
 void write_vtu(const std::filesystem::path& path, const HexMesh& mesh,
+               const std::vector<DataArray>& cell_arrays,
+               const std::vector<DataArray>& point_arrays) {
+  write_output_file(path, vtu_bytes(mesh, cell_arrays, point_arrays));
+}
+
+void write_vtu(const std::filesystem::path& path, const CellMesh& mesh,
                const std::vector<DataArray>& cell_arrays,
                const std::vector<DataArray>& point_arrays) {
   write_output_file(path, vtu_bytes(mesh, cell_arrays, point_arrays));

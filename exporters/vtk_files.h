@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "hex/hex_mesh.h"
+#include "lumen/cell_mesh.h"
 #include "surface/triangle_surface.h"
 
 namespace hexwall {
@@ -75,10 +76,18 @@ void write_vtu(const std::filesystem::path& path, const HexMesh& mesh,
                const std::vector<DataArray>& cell_arrays = {},
                const std::vector<DataArray>& point_arrays = {});
 
+/// The same for a mesh of mixed cells, without `layer` and `quad`. `patch_of_face` is in the order
+/// of `faces_of` in lumen/cell_faces.h.
+void write_vtu(const std::filesystem::path& path, const CellMesh& mesh,
+               const std::vector<DataArray>& cell_arrays = {},
+               const std::vector<DataArray>& point_arrays = {});
+
 /// The bytes that `write_vtp` writes.
 std::string vtp_bytes(const PolyData& data);
 
 /// The bytes that `write_vtu` writes.
+std::string vtu_bytes(const CellMesh& mesh, const std::vector<DataArray>& cell_arrays = {},
+                      const std::vector<DataArray>& point_arrays = {});
 std::string vtu_bytes(const HexMesh& mesh, const std::vector<DataArray>& cell_arrays = {},
                       const std::vector<DataArray>& point_arrays = {});
 

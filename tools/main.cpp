@@ -1,6 +1,7 @@
 // The program. Sample runs:
 //
 //   hexwall mesh aneurysm.stl -o out --size 0.8 --thickness 0.5 --layers 3
+//   hexwall case aneurysm.stl -o run --re 300 && run/Allrun && hexwall shear run
 //   hexwall check carotid.vtp
 //   hexwall generate aaa -o aaa.stl
 //
@@ -15,13 +16,16 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "case_command.h"
 #include "check_command.h"
 #include "generate_command.h"
 #include "interrupt.h"
+#include "lumen_command.h"
 #include "mesh_command.h"
 #include "quality_command.h"
 #include "reference_command.h"
 #include "report.h"
+#include "shear_command.h"
 #include "view_command.h"
 
 namespace hexwall {
@@ -55,8 +59,8 @@ int run(int argc, char** argv) {
       "4 topology of the surface, 5 geometry of the surface, 6 no valid mesh, 7 output,\n"
       "8 a condition of 'quality --fail-if' holds, 130 stopped by Ctrl-C.");
   const std::vector<Command> commands{
-      add_mesh(app), add_check(app),    add_quality(app),
-      add_view(app), add_generate(app), add_reference(app),
+      add_mesh(app),    add_lumen(app), add_case(app),     add_shear(app),     add_check(app),
+      add_quality(app), add_view(app),  add_generate(app), add_reference(app),
   };
   try {
     app.parse(argc, argv);

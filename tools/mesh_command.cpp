@@ -45,8 +45,8 @@ void write_results(const MeshOptions& c, const PipelineResult& result, const fs:
 }
 
 std::vector<ProgressStage> stages_of_writing(bool pictures) {
-  std::vector<ProgressStage> stages{{"write", 0.05}};
-  if (pictures) stages.push_back({"pictures", 0.5});
+  std::vector<ProgressStage> stages{{"write", 0.12}};
+  if (pictures) stages.push_back({"pictures", 1.0});
   return stages;
 }
 

@@ -15,8 +15,8 @@ constexpr const char* clear_line = "\r\033[K";
 
 // Shares of the time, from runs on the surfaces of real vessels.
 const std::vector<ProgressStage> surface_stages{
-    {"read", 0.01},  {"prepare", 0.06}, {"form", 0.25}, {"foliation", 0.01},
-    {"quads", 0.02}, {"relax", 0.10},   {"wall", 0.50},
+    {"read", 0.02},   {"prepare", 0.05}, {"form", 0.25}, {"foliation", 0.005},
+    {"quads", 0.005}, {"relax", 0.13},   {"wall", 0.42},
 };
 
 std::vector<ProgressStage> with(const std::vector<ProgressStage>& more) {

@@ -1,6 +1,7 @@
 #include "hex/cell_geometry.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include <Eigen/Geometry>
@@ -12,15 +13,34 @@ namespace {
 constexpr std::array<std::array<int, 4>, 6> faces_of_hex{
     {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}};
 
+// A face counts as extended by at least these shares of the distance of the cells, as in OpenFOAM.
+constexpr double least_extent_inside = 0.2;
+constexpr double least_extent_at_boundary = 0.4;
+
+double relative(const Vec3& offset, std::span<const Vec3> face, const Vec3& center,
+                double least_extent) {
+  const double length = offset.norm();
+  if (length == 0.0) return 0.0;
+  double extent = least_extent;
+  for (const Vec3& p : face) extent = std::max(extent, std::abs(offset.dot(p - center)) / length);
+  return length / extent;
+}
+
 }  // namespace
 
-FaceGeometry face_geometry(const Face& face) {
-  const Vec3 middle = 0.25 * (face[0] + face[1] + face[2] + face[3]);
+FaceGeometry face_geometry(std::span<const Vec3> face) {
+  if (face.size() == 3) {
+    return {(face[0] + face[1] + face[2]) / 3.0,
+            0.5 * (face[1] - face[0]).cross(face[2] - face[0])};
+  }
+  Vec3 middle = Vec3::Zero();
+  for (const Vec3& p : face) middle += p;
+  middle /= static_cast<double>(face.size());
   FaceGeometry result{Vec3::Zero(), Vec3::Zero()};
   double weights = 0.0;
-  for (int k = 0; k < 4; ++k) {
+  for (std::size_t k = 0; k < face.size(); ++k) {
     const Vec3& a = face[k];
-    const Vec3& b = face[(k + 1) % 4];
+    const Vec3& b = face[(k + 1) % face.size()];
     const Vec3 doubled_area = (b - a).cross(middle - a);
     const double weight = doubled_area.norm();
     result.area += 0.5 * doubled_area;
@@ -31,14 +51,9 @@ FaceGeometry face_geometry(const Face& face) {
   return result;
 }
 
-Vec3 cell_center(const std::array<Vec3, 8>& corners) {
-  std::array<FaceGeometry, 6> faces;
+CellGeometry cell_geometry(std::span<const FaceGeometry> faces) {
   Vec3 middle = Vec3::Zero();
-  for (int f = 0; f < 6; ++f) {
-    const auto& c = faces_of_hex[f];
-    faces[f] = face_geometry({corners[c[0]], corners[c[1]], corners[c[2]], corners[c[3]]});
-    middle += faces[f].center / 6.0;
-  }
+  for (const FaceGeometry& face : faces) middle += face.center / static_cast<double>(faces.size());
   Vec3 sum = Vec3::Zero();
   double volume = 0.0;
   for (const FaceGeometry& face : faces) {
@@ -46,7 +61,34 @@ Vec3 cell_center(const std::array<Vec3, 8>& corners) {
     sum += pyramid * (0.75 * face.center + 0.25 * middle);
     volume += pyramid;
   }
-  return volume > 0.0 ? Vec3(sum / volume) : middle;
+  return {volume > 0.0 ? Vec3(sum / volume) : middle, volume / 3.0};
+}
+
+Vec3 cell_center(const std::array<Vec3, 8>& corners) {
+  std::array<FaceGeometry, 6> faces;
+  for (int f = 0; f < 6; ++f) {
+    const auto& c = faces_of_hex[f];
+    faces[f] = face_geometry(Face{corners[c[0]], corners[c[1]], corners[c[2]], corners[c[3]]});
+  }
+  return cell_geometry(faces).center;
+}
+
+double skewness_between(std::span<const Vec3> face, const FaceGeometry& geometry, const Vec3& owner,
+                        const Vec3& neighbour) {
+  const Vec3 to_face = geometry.center - owner;
+  const Vec3 d = neighbour - owner;
+  const double across = geometry.area.dot(d);
+  if (across == 0.0) return std::numeric_limits<double>::max();
+  const Vec3 offset = to_face - geometry.area.dot(to_face) / across * d;
+  return relative(offset, face, geometry.center, least_extent_inside * d.norm());
+}
+
+double skewness_at_boundary(std::span<const Vec3> face, const FaceGeometry& geometry,
+                            const Vec3& owner) {
+  const Vec3 normal = geometry.area.normalized();
+  const Vec3 to_face = geometry.center - owner;
+  const Vec3 d = normal.dot(to_face) * normal;
+  return relative(to_face - d, face, geometry.center, least_extent_at_boundary * d.norm());
 }
 
 double split_height(const Face& face, int k, const Vec3* below, const Vec3* above) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 
 #include "surface/triangle_surface.h"
 
@@ -14,14 +15,33 @@ struct FaceGeometry {
   Vec3 area;  ///< vector, by the right hand
 };
 
-/// Centre and area of a face as OpenFOAM takes them: by the four triangles around the mean of the
-/// corners, the centre weighted by their areas (primitiveMesh::makeFaceCentresAndAreas).
-FaceGeometry face_geometry(const Face& face);
+/// Centre and area of a face of three or more corners as OpenFOAM takes them: by the triangles
+/// around the mean of the corners, the centre weighted by their areas
+/// (primitiveMesh::makeFaceCentresAndAreas).
+FaceGeometry face_geometry(std::span<const Vec3> face);
 
-/// Centre of a hex as OpenFOAM takes it: by the pyramids of the faces over the mean of their
-/// centres, weighted by their volumes (primitiveMesh::makeCellCentresAndVols).
-/// \param corners in VTK's order.
+struct CellGeometry {
+  Vec3 center;
+  double volume;
+};
+
+/// Centre and volume of a cell as OpenFOAM takes them: by the pyramids of the faces over the mean
+/// of their centres, the centre weighted by their volumes (primitiveMesh::makeCellCentresAndVols).
+/// \param faces with areas pointing out.
+CellGeometry cell_geometry(std::span<const FaceGeometry> faces);
+
+/// Centre of a hex, see above. \param corners in VTK's order.
 Vec3 cell_center(const std::array<Vec3, 8>& corners);
+
+/// Skewness of a face between two cells, as OpenFOAM's checkMesh measures it: how far the line
+/// between the cells' centres passes from the face's centre, relative to the face's extent in that
+/// direction. \param geometry `face_geometry(face)`
+double skewness_between(std::span<const Vec3> face, const FaceGeometry& geometry, const Vec3& owner,
+                        const Vec3& neighbour);
+
+/// The same of a face at the boundary, with the normal through the cell's centre.
+double skewness_at_boundary(std::span<const Vec3> face, const FaceGeometry& geometry,
+                            const Vec3& owner);
 
 /// Least height of `above` over, and of `below` under, the two triangles on either side of the
 /// diagonal of `face` from corner `k`. Null where there is no such point.

@@ -13,34 +13,8 @@
 namespace hexwall {
 namespace {
 
-// A face counts as extended by at least these shares of the distance of the cells, as in OpenFOAM.
-constexpr double least_extent_inside = 0.2;
-constexpr double least_extent_at_boundary = 0.4;
-
-double relative(const Vec3& offset, const Face& face, const Vec3& center, double least_extent) {
-  const double length = offset.norm();
-  if (length == 0.0) return 0.0;
-  double extent = least_extent;
-  for (const Vec3& p : face) extent = std::max(extent, std::abs(offset.dot(p - center)) / length);
-  return length / extent;
-}
-
-double skewness_between(const Face& face, const Vec3& owner, const Vec3& neighbour) {
-  const FaceGeometry geometry = face_geometry(face);
-  const Vec3 to_face = geometry.center - owner;
-  const Vec3 d = neighbour - owner;
-  const double across = geometry.area.dot(d);
-  if (across == 0.0) return std::numeric_limits<double>::max();
-  const Vec3 offset = to_face - geometry.area.dot(to_face) / across * d;
-  return relative(offset, face, geometry.center, least_extent_inside * d.norm());
-}
-
-double skewness_at_boundary(const Face& face, const Vec3& owner) {
-  const FaceGeometry geometry = face_geometry(face);
-  const Vec3 normal = geometry.area.normalized();
-  const Vec3 to_face = geometry.center - owner;
-  const Vec3 d = normal.dot(to_face) * normal;
-  return relative(to_face - d, face, geometry.center, least_extent_at_boundary * d.norm());
+double of_face(const Face& face, const Vec3& owner, const Vec3& neighbour) {
+  return skewness_between(face, face_geometry(face), owner, neighbour);
 }
 
 /// Points and centres of the cells of all columns.
@@ -73,9 +47,10 @@ class Cells {
       Face face;
       for (int k = 0; k < 4; ++k) face[k] = at(quads_.quads[q][k], level);
       if (level == 0 || level == layers_) {
-        worst = std::max(worst, skewness_at_boundary(face, center(q, level == 0 ? 0 : level - 1)));
+        worst = std::max(worst, skewness_at_boundary(face, face_geometry(face),
+                                                     center(q, level == 0 ? 0 : level - 1)));
       } else {
-        worst = std::max(worst, skewness_between(face, center(q, level - 1), center(q, level)));
+        worst = std::max(worst, of_face(face, center(q, level - 1), center(q, level)));
       }
     }
     return worst;
@@ -87,8 +62,7 @@ class Cells {
     for (int layer = 0; layer < layers_; ++layer) {
       const Face face{at(edge[0], layer), at(edge[1], layer), at(edge[1], layer + 1),
                       at(edge[0], layer + 1)};
-      worst =
-          std::max(worst, skewness_between(face, center(quads[0], layer), center(quads[1], layer)));
+      worst = std::max(worst, of_face(face, center(quads[0], layer), center(quads[1], layer)));
     }
     return worst;
   }

@@ -35,8 +35,13 @@ constexpr double slope_tolerance = 1e-12;
 // A vertex counts as reduced below this share of the thickness asked for.
 constexpr double reduced_below = 0.99;
 // Collisions are looked for at this multiple of the thickness: what passes leaves a gap, whichever
-// way a reader of the mesh splits the faces of the skin.
-constexpr double clearance = 1.05;
+// way a reader of the mesh splits the faces of the skin. Inside, the core of the lumen needs room.
+constexpr double clearance_outside = 1.05;
+constexpr double clearance_inside = 1.25;
+// Inside a bend layers get narrower towards the core: edges keep this share of their length, unless
+// that takes layers thinner than the other share of what was asked.
+constexpr double least_narrowing = 0.35;
+constexpr double least_ratio_for_narrowing = 0.1;
 
 class Fitter {
  public:
@@ -113,11 +118,24 @@ class Fitter {
         place_of(quads_.quads[worst - bound_.begin()][0])));
   }
 
+  bool is_too_narrow(std::size_t q, const Column& c) const {
+    if (side_ == Side::outward) return false;
+    for (int k = 0; k < 4; ++k) {
+      const int j = (k + 1) % 4;
+      if (c.inward[k] < least_ratio_for_narrowing * result_.asked[quads_.quads[q][k]]) continue;
+      const Vec3 edge = c.base[j] - c.base[k];
+      const Vec3 inside = edge - c.inward[j] * c.direction[j] + c.inward[k] * c.direction[k];
+      if (inside.dot(edge) < least_narrowing * edge.squaredNorm()) return true;
+    }
+    return false;
+  }
+
   void shrink_bad_columns() {
     std::vector<char> bad(quads_.quads.size());
     for (;;) {
       parallel_for(bad.size(), [&](std::size_t q) {
-        bad[q] = scaled_jacobian(column(q), levels_) < bound_[q] ? 1 : 0;
+        const Column c = column(q);
+        bad[q] = scaled_jacobian(c, levels_) < bound_[q] || is_too_narrow(q, c) ? 1 : 0;
       });
       std::vector<int> marked;
       for (std::size_t q = 0; q < bad.size(); ++q) {
@@ -146,7 +164,9 @@ class Fitter {
 
   std::vector<double> with_clearance() {
     std::vector<double> thickness = given();
-    for (double& t : thickness) t *= clearance;
+    for (double& t : thickness) {
+      t *= side_ == Side::outward ? clearance_outside : clearance_inside;
+    }
     return thickness;
   }
 

@@ -12,7 +12,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "exporters/hex_faces.h"
+#include "lumen/cell_faces.h"
 #include "support/block_mesh.h"
 #include "support/temporary_folder.h"
 
@@ -135,7 +135,8 @@ TEST(Abaqus, NumbersTheSixFacesOfAHex) {
       {},
       {{"all", {0}}}};
   for (int i = 0; i < 6; ++i)
-    mesh.patches.push_back({"face_" + std::to_string(i), false, {{hex_face(mesh, 0, i), 0}}});
+    mesh.patches.push_back(
+        {"face_" + std::to_string(i), false, {{cell_face(to_cell_mesh(mesh), 0, i), 0}}});
   write_abaqus(folder / "a.inp", mesh);
   const Deck deck = read_deck(folder / "a.inp");
   for (const BoundaryPatch& patch : mesh.patches)

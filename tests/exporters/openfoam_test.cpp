@@ -12,7 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "core/errors.h"
-#include "exporters/hex_faces.h"
+#include "lumen/cell_faces.h"
 #include "support/block_mesh.h"
 #include "support/check_mesh.h"
 #include "support/temporary_folder.h"
@@ -324,7 +324,7 @@ TEST_P(InconsistentMesh, IsAnInternalErrorAndNothingIsWritten) {
 }
 
 const std::vector<Spoiled> kSpoiled{
-    {"ThreeHexesAtAFace", [](HexMesh& m) { m.hexes[60] = m.hexes[0]; }, "third hex"},
+    {"ThreeHexesAtAFace", [](HexMesh& m) { m.hexes[60] = m.hexes[0]; }, "third cell"},
     {"TwoHexesOnOneSide",
      [](HexMesh& m) {
        m = {m.points, {m.hexes[0], m.hexes[0]}, {0, 0}, {0, 0}, {}, {{"z", {0, 1}}}};
@@ -336,11 +336,11 @@ const std::vector<Spoiled> kSpoiled{
      "listed twice"},
     {"InternalFaceInAPatch",
      [](HexMesh& m) {
-       m.patches[0].faces.push_back({hex_face(m, 0, 5), 0});
+       m.patches[0].faces.push_back({cell_face(to_cell_mesh(m), 0, 5), 0});
      },
      "not on the boundary"},
     {"FaceOfAnotherHex", [](HexMesh& m) { m.patches[0].faces[0].hex = 30; }, "does not have"},
-    {"FaceOfNoHex", [](HexMesh& m) { m.patches[0].faces[0].hex = -1; }, "names hex -1"},
+    {"FaceOfNoHex", [](HexMesh& m) { m.patches[0].faces[0].hex = -1; }, "names cell -1"},
     {"FaceSeenFromInside",
      [](HexMesh& m) {
        auto& v = m.patches[0].faces[0].vertices;

@@ -73,7 +73,7 @@ TEST(CellGeometry, OfASkewedBoxIsExact) {
   const Vec3 center =
       cell_center({o, o + a, o + a + b, o + b, o + c, o + a + c, o + a + b + c, o + b + c});
   EXPECT_NEAR((center - (o + 0.5 * (a + b + c))).norm(), 0.0, 1e-14);
-  const FaceGeometry face = face_geometry({o, o + a, o + a + b, o + b});
+  const FaceGeometry face = face_geometry(Face{o, o + a, o + a + b, o + b});
   EXPECT_NEAR((face.area - Vec3(0.0, 0.0, 2.0)).norm(), 0.0, 1e-14);
   EXPECT_NEAR((face.center - (o + 0.5 * (a + b))).norm(), 0.0, 1e-14);
 }

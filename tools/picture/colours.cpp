@@ -7,12 +7,16 @@
 #include <vtkDataArray.h>
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
+#include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkScalarBarActor.h>
 #include <vtkStringArray.h>
+#include <vtkTextActor.h>
 #include <vtkTextProperty.h>
-#include <vtkVariant.h>
 
 #include "core/errors.h"
 
@@ -47,17 +51,14 @@ vtkStringArray* names_of(vtkDataSet* data, const std::string& array) {
   return vtkStringArray::SafeDownCast(data->GetFieldData()->GetAbstractArray(name.c_str()));
 }
 
-vtkSmartPointer<vtkLookupTable> categories(int first, int last, vtkStringArray* names) {
+vtkSmartPointer<vtkLookupTable> categories(int first, int last) {
   auto table = vtkSmartPointer<vtkLookupTable>::New();
   const int n = last - first + 1;
   table->SetNumberOfTableValues(n);
   for (int i = 0; i < n; ++i) {
     const auto& c = kCategories[static_cast<std::size_t>(i) % kCategories.size()];
     table->SetTableValue(i, c[0], c[1], c[2]);
-    if (names == nullptr) continue;
-    table->SetAnnotation(vtkVariant(first + i), names->GetValue(first + i));
   }
-  if (names != nullptr) table->IndexedLookupOn();
   table->SetTableRange(first - 0.5, last + 0.5);
   return table;
 }
@@ -83,19 +84,20 @@ bool is_integer(vtkDataArray* array) {
 }
 
 Colours colours_for(vtkDataArray* array, const std::vector<double>& fixed, vtkStringArray* names) {
-  if (!fixed.empty()) return {ramp(fixed[0], fixed[1]), false, false};
+  if (!fixed.empty()) return {ramp(fixed[0], fixed[1]), false};
   const bool scalar = array->GetNumberOfComponents() == 1;
   std::array<double, 2> range{};
   array->GetRange(range.data(), scalar ? 0 : -1);
   constexpr double most_categories = 4096;
   if (!scalar || !is_integer(array) || range[1] - range[0] >= most_categories) {
-    return {ramp(range[0], range[1]), false, false};
+    return {ramp(range[0], range[1]), false};
   }
-  const bool named = names != nullptr && range[0] >= 0.0 &&
-                     range[1] < static_cast<double>(names->GetNumberOfValues());
-  const auto table =
-      categories(static_cast<int>(range[0]), static_cast<int>(range[1]), named ? names : nullptr);
-  return {table, true, named};
+  const auto first = static_cast<int>(range[0]);
+  const auto last = static_cast<int>(range[1]);
+  Colours colours{categories(first, last), true};
+  if (names == nullptr || first < 0 || last >= names->GetNumberOfValues()) return colours;
+  for (int i = first; i <= last; ++i) colours.names.push_back(names->GetValue(i));
+  return colours;
 }
 
 /// Labels at whole numbers, for a table with a colour for each.
@@ -106,6 +108,74 @@ vtkSmartPointer<vtkDoubleArray> whole_labels(vtkLookupTable* table) {
   for (int i = 0; i < n; i += (n + most_labels - 1) / most_labels)
     labels->InsertNextValue(table->GetTableRange()[0] + 0.5 + i);
   return labels;
+}
+
+std::size_t longest_line(const std::string& text) {
+  std::size_t longest = 0;
+  std::size_t length = 0;
+  for (const char c : text) {
+    length = c == '\n' ? 0 : length + 1;
+    longest = std::max(longest, length);
+  }
+  return longest;
+}
+
+vtkSmartPointer<vtkScalarBarActor> scalar_bar(const Colours& colours, const std::string& title,
+                                              int font_size) {
+  auto bar = vtkSmartPointer<vtkScalarBarActor>::New();
+  bar->SetLookupTable(colours.table);
+  bar->SetTitle(title.c_str());
+  bar->SetUnconstrainedFontSize(true);
+  bar->SetMaximumWidthInPixels(100);
+  bar->SetPosition(0.05, 0.1);
+  bar->SetWidth(0.8);
+  bar->SetHeight(0.8);
+  for (vtkTextProperty* text : {bar->GetTitleTextProperty(), bar->GetLabelTextProperty()}) {
+    text->SetColor(0, 0, 0);
+    text->SetFontSize(font_size);
+    text->ItalicOff();
+    text->ShadowOff();
+    text->BoldOff();
+  }
+  // The bar is as wide as about 11 letters: longer lines get smaller ones.
+  const double letters = std::max(11.0, static_cast<double>(longest_line(title)));
+  bar->GetTitleTextProperty()->SetFontSize(static_cast<int>(11.0 * font_size / letters));
+  bar->SetLabelFormat("%.3g");
+  bar->SetVerticalTitleSeparation(12);
+  if (colours.whole_numbers) {
+    bar->SetLabelFormat("%.0f");
+    bar->SetUseCustomLabels(true);
+    bar->SetCustomLabels(whole_labels(colours.table));
+  }
+  return bar;
+}
+
+/// The names, each on its colour, from the top down.
+void add_names(const Colours& colours, int font_size, vtkRenderer* renderer) {
+  const std::size_t width = std::max_element(colours.names.begin(), colours.names.end(),
+                                             [](const std::string& a, const std::string& b) {
+                                               return a.size() < b.size();
+                                             })
+                                ->size();
+  double height = 0.93;
+  for (std::size_t i = 0; i < colours.names.size(); ++i) {
+    vtkNew<vtkTextActor> text;
+    std::string padded = " " + colours.names[i] + " ";
+    padded.resize(width + 2, ' ');
+    text->SetInput(padded.c_str());
+    text->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
+    text->GetPositionCoordinate()->SetValue(0.06, height);
+    std::array<double, 4> colour{};
+    colours.table->GetTableValue(static_cast<vtkIdType>(i), colour.data());
+    vtkTextProperty* look = text->GetTextProperty();
+    look->SetFontFamilyToCourier();  // all boxes are equally wide
+    look->SetFontSize(font_size);
+    look->SetColor(0, 0, 0);
+    look->SetBackgroundColor(colour.data());
+    look->SetBackgroundOpacity(1);
+    renderer->AddActor2D(text);
+    height -= 2.0 * font_size / renderer->GetRenderWindow()->GetSize()[1];
+  }
 }
 
 }  // namespace
@@ -128,34 +198,14 @@ Colours colour_by(const PictureOptions& options, vtkPolyDataMapper* mapper) {
   return colours;
 }
 
-vtkSmartPointer<vtkScalarBarActor> scalar_bar(const Colours& colours, const std::string& title,
-                                              int font_size) {
-  auto bar = vtkSmartPointer<vtkScalarBarActor>::New();
-  bar->SetLookupTable(colours.table);
-  bar->SetTitle(title.c_str());
-  bar->SetUnconstrainedFontSize(true);
-  bar->SetMaximumWidthInPixels(100);
-  bar->SetPosition(0.05, 0.1);
-  bar->SetWidth(0.8);
-  bar->SetHeight(0.8);
-  for (vtkTextProperty* text : {bar->GetTitleTextProperty(), bar->GetLabelTextProperty()}) {
-    text->SetColor(0, 0, 0);
-    text->SetFontSize(font_size);
-    text->ItalicOff();
-    text->ShadowOff();
-    text->BoldOff();
+void add_legend(const Colours& colours, const std::string& title, int font_size,
+                vtkRenderer* renderer) {
+  constexpr std::size_t most_names = 24;
+  if (colours.names.empty() || colours.names.size() > most_names) {
+    renderer->AddActor2D(scalar_bar(colours, title, font_size));
+  } else {
+    add_names(colours, font_size, renderer);
   }
-  // The bar is as wide as about 9 letters: longer names get smaller ones.
-  const double letters = std::max(9.0, static_cast<double>(title.size()));
-  bar->GetTitleTextProperty()->SetFontSize(static_cast<int>(9.0 * font_size / letters));
-  bar->SetLabelFormat("%.3g");
-  bar->SetVerticalTitleSeparation(12);
-  if (colours.whole_numbers && !colours.named) {
-    bar->SetLabelFormat("%.0f");
-    bar->SetUseCustomLabels(true);
-    bar->SetCustomLabels(whole_labels(colours.table));
-  }
-  return bar;
 }
 
 }  // namespace hexwall

@@ -3,12 +3,12 @@
 #include <string>
 
 #include <vtkLookupTable.h>
-#include <vtkScalarBarActor.h>
 #include <vtkSmartPointer.h>
 
 #include "options.h"
 
 class vtkPolyDataMapper;
+class vtkRenderer;
 
 namespace hexwall {
 
@@ -16,7 +16,7 @@ namespace hexwall {
 struct Colours {
   vtkSmartPointer<vtkLookupTable> table;
   bool whole_numbers;
-  bool named;  ///< the whole numbers have texts
+  std::vector<std::string> names = {};  ///< of the whole numbers, if they have any
 };
 
 /// Colours the mapper's surface by the array of the options. Whole numbers that are names, such as
@@ -24,8 +24,8 @@ struct Colours {
 /// \throws UsageError if there is no such array.
 Colours colour_by(const PictureOptions& options, vtkPolyDataMapper* mapper);
 
-/// A bar with the colours and their values.
-vtkSmartPointer<vtkScalarBarActor> scalar_bar(const Colours& colours, const std::string& title,
-                                              int font_size);
+/// Shows what the colours mean: a bar with values, or names on their colours.
+void add_legend(const Colours& colours, const std::string& title, int font_size,
+                vtkRenderer* renderer);
 
 }  // namespace hexwall

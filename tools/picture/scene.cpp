@@ -39,7 +39,7 @@
 namespace hexwall {
 namespace {
 
-constexpr double kBarWidth = 0.12;  ///< part of the picture's width that the scalar bar takes
+constexpr double kBarWidth = 0.14;  ///< part of the picture's width that the scalar bar takes
 
 template <typename Reader>
 vtkSmartPointer<vtkDataSet> read_with(const std::string& path) {
@@ -230,6 +230,17 @@ void add_lines(const PictureOptions& options, double radius, vtkRenderWindow* wi
   add_labels(vtkPolyData::SafeDownCast(lines), window->GetSize()[0] / 60, front);
 }
 
+/// Those of the surface, and of labels.
+Points points_to_see(const PictureOptions& options, vtkPolyData* surface) {
+  Points points = points_of(surface);
+  if (options.lines.empty()) return points;
+  const auto lines = read_data(options.lines);
+  if (labels_of(lines) == nullptr) return points;
+  Points all(3, points.cols() + lines->GetNumberOfPoints());
+  all << points, points_of(lines);
+  return all;
+}
+
 vtkSmartPointer<vtkRenderer> new_renderer(double left, double right) {
   auto renderer = vtkSmartPointer<vtkRenderer>::New();
   renderer->SetViewport(left, 0, right, 1);
@@ -256,8 +267,8 @@ void build_scene(const PictureOptions& options, vtkRenderWindow* window) {
     const auto bar = new_renderer(width, 1);
     const int font_size = std::max(10, window->GetSize()[0] / 70);
     const std::string& title = options.title.empty() ? options.array : options.title;
-    bar->AddActor2D(scalar_bar(colour_by(options, mapper), title, font_size));
     window->AddRenderer(bar);
+    add_legend(colour_by(options, mapper), title, font_size, bar);
   }
   if (!options.texture.empty()) apply_checkerboard(surface, actor);
   scene->AddActor(actor);
@@ -266,7 +277,7 @@ void build_scene(const PictureOptions& options, vtkRenderWindow* window) {
     add_lines(options, 0.0012 * data->GetLength(), window, scene);
   }
   const double aspect = width * window->GetSize()[0] / window->GetSize()[1];
-  aim_camera(scene->GetActiveCamera(), points_of(surface), options, aspect);
+  aim_camera(scene->GetActiveCamera(), points_to_see(options, surface), options, aspect);
   scene->ResetCameraClippingRange();
 }
 

@@ -11,8 +11,8 @@
 
 #include "core/errors.h"
 #include "exporters/formats.h"
-#include "exporters/hex_faces.h"
 #include "exporters/results.h"
+#include "lumen/cell_faces.h"
 #include "output_folder.h"
 
 namespace hexwall::python {
@@ -101,11 +101,6 @@ auto with_owner(Getter getter) {
   return [getter](const py::object& self) { return getter(self.cast<const MeshResult&>(), self); };
 }
 
-DataArray group_array(const std::string& name, const HexMesh& mesh,
-                      const std::vector<CellZone>& groups) {
-  return {name, 1, group_of_hexes(mesh, groups)};
-}
-
 void check_formats(const std::vector<std::string>& names) {
   std::string known;
   for (const Format& format : hex_mesh_formats()) known += " " + format.name;
@@ -129,10 +124,11 @@ MeshResult::MeshResult(MeshOptions options, SurfaceRun run)
   run_.context.prepared = &run_.prepared;
   cell_arrays_.push_back({"layer", 1, wall().layer});
   cell_arrays_.push_back({"quad", 1, wall().quad});
-  cell_arrays_.push_back(group_array("zone", wall(), wall().zones));
-  cell_arrays_.push_back(group_array("region", wall(), wall().regions));
+  const CellMesh cells = to_cell_mesh(wall());
+  cell_arrays_.push_back({"zone", 1, group_of_cells(cells, cells.zones)});
+  cell_arrays_.push_back({"region", 1, group_of_cells(cells, cells.regions)});
   std::vector<int> patches;
-  for (const auto& of_hex : patch_of_hex_faces(wall())) {
+  for (const auto& of_hex : patch_of_faces(cells)) {
     patches.insert(patches.end(), of_hex.begin(), of_hex.end());
   }
   cell_arrays_.push_back({"patch_of_face", 6, std::move(patches)});

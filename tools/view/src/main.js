@@ -78,16 +78,25 @@ class View {
     this.render();
   }
 
-  // From where the page's pictures are taken.
+  // From where the page's pictures are taken, as near as the mesh fits in.
   reset() {
+    const { eye, up } = this.mesh.camera;
+    const right = [up[1] * eye[2] - up[2] * eye[1], up[2] * eye[0] - up[0] * eye[2],
+      up[0] * eye[1] - up[1] * eye[0]];
+    const middle = [0, 0, 0];
+    const [width, height, depth] = [right, up, eye].map((direction) => {
+      const [low, high] = this.extent(direction);
+      for (let d = 0; d < 3; ++d) middle[d] += ((low + high) / 2) * direction[d];
+      return high - low;
+    });
     const renderer = this.window.getRenderer();
     const camera = renderer.getActiveCamera();
-    const { eye, up } = this.mesh.camera;
-    camera.setFocalPoint(0, 0, 0);
-    camera.setPosition(...eye);
+    const [pixelsAcross, pixelsUp] = this.window.getApiSpecificRenderWindow().getSize();
+    const half = 0.53 * Math.max(height, (width * pixelsUp) / pixelsAcross);
+    const distance = half / Math.tan((camera.getViewAngle() * Math.PI) / 360) + depth / 2;
+    camera.setFocalPoint(...middle);
+    camera.setPosition(...middle.map((x, d) => x + distance * eye[d]));
     camera.setViewUp(...up);
-    renderer.resetCamera();
-    camera.zoom(1.4);
     renderer.resetCameraClippingRange();
     this.render();
   }
