@@ -101,6 +101,16 @@ class Cases(InFolder):
         self.assertEqual(a.surface, str(self.folder / "x/a.stl"))
         self.assertEqual((b.name, b.options), ("p1", "--size 1"))
 
+    def test_own_options_replace_those_for_all(self):
+        for general, own, result in (
+            ("--size 1 --layers 2", "--size=2", "--size=2 --layers 2"),
+            ("--write vtu", "--names 'a b.json'", "--write vtu --names 'a b.json'"),
+            ("--view -1 -2 .5", "", "--view -1 -2 .5"),
+        ):
+            self.assertEqual(cohort.merged(general, own), result)
+        with self.assertRaises(cohort.CohortError):
+            cohort.merged("0.8")
+
     def test_that_cannot_be_told_apart_are_refused_all_at_once(self):
         table = self.folder / "t.tsv"
         table.write_text("case\tsurface\na/b\tx.stl\np\tx.stl\np\ty.stl\nq\t\n")
@@ -171,6 +181,10 @@ class Local(InFolder):
         self.run_workflow(self.table("doomed.vtp", "good.vtp"), hexwall=program)
         self.assertEqual(self.outcomes(), {"doomed": "killed", "good": "meshed"})
         self.assertEqual(log.read_text(), "x\nx\n")
+        self.assertIn(
+            "Nothing to be done",
+            self.run_workflow(self.table("doomed.vtp", "good.vtp"), hexwall=program, timeout=99),
+        )
         self.assertIn("SIGKILL", self.rows()[0]["reason"])
 
     def test_killed_jobs_lose_nothing_else_and_are_resumed(self):
