@@ -16,6 +16,7 @@
 #include <fmt/format.h>
 
 #include "check_command.h"
+#include "compare_command.h"
 #include "generate_command.h"
 #include "lumen_command.h"
 #include "mesh_command.h"
@@ -50,10 +51,7 @@ int run(int argc, char** argv) {
       "Exit codes: 0 success, 1 internal error, 2 command line, 3 unreadable input,\n"
       "4 topology of the surface, 5 geometry of the surface, 6 no valid mesh, 7 output.");
   const std::vector<Command> commands{
-      add_mesh(app),
-      add_lumen(app),
-      add_check(app),
-      add_generate(app),
+      add_mesh(app), add_lumen(app), add_compare(app), add_check(app), add_generate(app),
   };
   try {
     app.parse(argc, argv);
