@@ -1,6 +1,7 @@
 #include "exporters/openfoam.h"
 
 #include <algorithm>
+#include <array>
 #include <fstream>
 #include <sstream>
 #include <string>
