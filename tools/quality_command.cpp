@@ -22,7 +22,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr auto condition_holds = static_cast<ExitCode>(8);
 constexpr int bar_width = 40;
 
 struct QualityOptions {
@@ -176,7 +175,7 @@ ExitCode run_quality(const QualityOptions& command) {
     fmt::print(stderr, "hexwall: {}: {} holds\n", command.mesh, v.condition);
     any = true;
   }
-  return any ? condition_holds : ExitCode::success;
+  return any ? static_cast<ExitCode>(quality_exit_code) : ExitCode::success;
 }
 
 }  // namespace

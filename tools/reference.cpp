@@ -7,21 +7,26 @@
 #include <fmt/format.h>
 
 #include "core/errors.h"
+#include "interrupt.h"
+#include "quality_command.h"
 #include "report.h"
 #include "report_keys.h"
 
 namespace hexwall {
 namespace {
 
-const std::array<std::pair<ExitCode, const char*>, 8> exit_codes{{
-    {ExitCode::success, "success"},
-    {ExitCode::internal, "internal error: please report it"},
-    {ExitCode::usage, "the command line is wrong"},
-    {ExitCode::read, "the input is missing, truncated, or of an unknown format"},
-    {ExitCode::topology, "topology: not a sphere with two or more holes, or not manifold"},
-    {ExitCode::geometry, "geometry: non-finite, no area, self-intersecting"},
-    {ExitCode::meshing, "the surface is valid, but no valid mesh was found"},
-    {ExitCode::write, "the output can't be written"},
+const std::array<std::pair<int, const char*>, 10> exit_codes{{
+    {static_cast<int>(ExitCode::success), "success"},
+    {static_cast<int>(ExitCode::internal), "internal error: please report it"},
+    {static_cast<int>(ExitCode::usage), "the command line is wrong"},
+    {static_cast<int>(ExitCode::read), "the input is missing, truncated, or of an unknown format"},
+    {static_cast<int>(ExitCode::topology),
+     "topology: not a sphere with two or more holes, or not manifold"},
+    {static_cast<int>(ExitCode::geometry), "geometry: non-finite, no area, self-intersecting"},
+    {static_cast<int>(ExitCode::meshing), "the surface is valid, but no valid mesh was found"},
+    {static_cast<int>(ExitCode::write), "the output can't be written"},
+    {quality_exit_code, "a condition of 'hexwall quality --fail-if' holds"},
+    {interrupted_exit_code, "stopped by Ctrl-C (SIGINT) or SIGTERM"},
 }};
 
 std::string replaced(std::string text, const std::string& what, const std::string& by) {
@@ -115,7 +120,7 @@ std::string man_option(const OptionInfo& o) {
 std::string man_exit_codes() {
   std::string text = ".SH EXIT STATUS\n";
   for (const auto& [code, what] : exit_codes) {
-    text += fmt::format(".TP\n{}\n{}.\n", static_cast<int>(code), roff(what));
+    text += fmt::format(".TP\n{}\n{}.\n", code, roff(what));
   }
   return text;
 }
@@ -213,7 +218,7 @@ std::string options_markdown(const CommandInfo& command) {
 std::string exit_codes_markdown() {
   std::string text = "\n| exit code | meaning |\n|---|---|\n";
   for (const auto& [code, what] : exit_codes) {
-    text += fmt::format("| {} | {} |\n", static_cast<int>(code), what);
+    text += fmt::format("| {} | {} |\n", code, what);
   }
   return text;
 }
