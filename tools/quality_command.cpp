@@ -22,6 +22,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr auto condition_holds = static_cast<ExitCode>(condition_holds_exit_code);
 constexpr int bar_width = 40;
 
 struct QualityOptions {

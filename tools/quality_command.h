@@ -6,10 +6,10 @@
 
 namespace hexwall {
 
-/// Exit code of `hexwall quality` if a condition of --fail-if holds.
-inline constexpr int quality_exit_code = 8;
+inline constexpr int condition_holds_exit_code = 8;
 
-/// `hexwall quality`: figures and histograms of a mesh of any tool.
+/// `hexwall quality`: figures and histograms of a mesh of any tool. Ends with code 8 if a condition
+/// of --fail-if holds.
 Command add_quality(CLI::App& app);
 
 }  // namespace hexwall

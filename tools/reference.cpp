@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <utility>
 
 #include <fmt/format.h>
 
@@ -15,19 +14,28 @@
 namespace hexwall {
 namespace {
 
-const std::array<std::pair<int, const char*>, 10> exit_codes{{
-    {static_cast<int>(ExitCode::success), "success"},
-    {static_cast<int>(ExitCode::internal), "internal error: please report it"},
-    {static_cast<int>(ExitCode::usage), "the command line is wrong"},
-    {static_cast<int>(ExitCode::read), "the input is missing, truncated, or of an unknown format"},
-    {static_cast<int>(ExitCode::topology),
-     "topology: not a sphere with two or more holes, or not manifold"},
-    {static_cast<int>(ExitCode::geometry), "geometry: non-finite, no area, self-intersecting"},
-    {static_cast<int>(ExitCode::meshing), "the surface is valid, but no valid mesh was found"},
-    {static_cast<int>(ExitCode::write), "the output can't be written"},
-    {quality_exit_code, "a condition of 'hexwall quality --fail-if' holds"},
-    {interrupted_exit_code, "stopped by Ctrl-C (SIGINT) or SIGTERM"},
-}};
+struct ExitMeaning {
+  int code;
+  const char* meaning;
+};
+
+constexpr int code(ExitCode c) {
+  return static_cast<int>(c);
+}
+
+constexpr std::array exit_codes{
+    ExitMeaning{code(ExitCode::success), "success"},
+    ExitMeaning{code(ExitCode::internal), "internal error: please report it"},
+    ExitMeaning{code(ExitCode::usage), "the command line is wrong"},
+    ExitMeaning{code(ExitCode::read), "the input is missing, truncated, or of an unknown format"},
+    ExitMeaning{code(ExitCode::topology),
+                "topology: not a sphere with two or more holes, or not manifold"},
+    ExitMeaning{code(ExitCode::geometry), "geometry: non-finite, no area, self-intersecting"},
+    ExitMeaning{code(ExitCode::meshing), "the surface is valid, but no valid mesh was found"},
+    ExitMeaning{code(ExitCode::write), "the output can't be written"},
+    ExitMeaning{condition_holds_exit_code, "a condition of `hexwall quality --fail-if` holds"},
+    ExitMeaning{interrupted_exit_code, "stopped by Ctrl-C"},
+};
 
 std::string replaced(std::string text, const std::string& what, const std::string& by) {
   for (std::size_t at = 0; (at = text.find(what, at)) != std::string::npos; at += by.size()) {
@@ -120,7 +128,7 @@ std::string man_option(const OptionInfo& o) {
 std::string man_exit_codes() {
   std::string text = ".SH EXIT STATUS\n";
   for (const auto& [code, what] : exit_codes) {
-    text += fmt::format(".TP\n{}\n{}.\n", code, roff(what));
+    text += fmt::format(".TP\n{}\n{}.\n", code, roff(replaced(what, "`", "")));
   }
   return text;
 }

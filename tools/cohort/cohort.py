@@ -5,6 +5,7 @@ import dataclasses
 import json
 import os
 import re
+import shlex
 import shutil
 from pathlib import Path
 
@@ -49,14 +50,34 @@ def read_cohort(surfaces, options=""):
     if not cases:
         raise CohortError(f"there is no surface in {surfaces}")
     for case in cases:
-        case.options = f"{options} {case.options}".strip()
+        case.options = merged(options, case.options)
     return cases
+
+
+def merged(*lists):
+    """Options of several command lines in one: of an option that occurs twice, the last counts."""
+    options = {}
+    for text in lists:
+        name = None
+        for word in shlex.split(text):
+            if word.startswith("-") and not re.match(r"-[\d.]", word):
+                name = word.split("=")[0]
+                options[name] = [word]
+            elif name is None:
+                raise CohortError(f"options begin with an option, not with '{word}'")
+            else:
+                options[name].append(word)
+    return shlex.join(word for words in options.values() for word in words)
 
 
 def write_cases(output, cases):
     """Writes `cases.json` into `output`, for those who collect results later."""
     output.mkdir(parents=True, exist_ok=True)
-    write_whole(output / "cases.json", json.dumps([dataclasses.asdict(c) for c in cases], indent=1))
+    path = output / "cases.json"
+    text = json.dumps([dataclasses.asdict(case) for case in cases], indent=1) + "\n"
+    # What is unchanged keeps its time, so that nothing has to be collected again.
+    if not path.is_file() or path.read_text(encoding="utf-8") != text:
+        write_whole(path, text)
 
 
 def write_whole(path, text):

@@ -8,6 +8,7 @@ import argparse
 import json
 import os
 import resource
+import shlex
 import shutil
 import signal
 import subprocess
@@ -15,7 +16,7 @@ import sys
 import time
 from pathlib import Path
 
-from cohort import write_whole
+from cohort import merged, write_whole
 
 OUTCOMES = {
     0: "meshed",
@@ -45,10 +46,7 @@ def parse_arguments():
 def run_mesh(arguments):
     """Runs hexwall. Returns its exit code (None: it took too long) and what it said."""
     command = [arguments.hexwall, "mesh", arguments.surface, "-o", str(arguments.folder)]
-    # Options of the case come last: the last one counts where `--threads` is among them.
-    command += ["--threads", str(arguments.threads), *arguments.options]
-    if "--threads" in arguments.options:
-        del command[5:7]
+    command += shlex.split(merged(f"--threads {arguments.threads}", shlex.join(arguments.options)))
     try:
         done = subprocess.run(
             command,

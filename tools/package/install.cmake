@@ -23,6 +23,14 @@ install(DIRECTORY exporters DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/hexwall COMP
   FILES_MATCHING PATTERN "*.h")
 install(EXPORT hexwall NAMESPACE hexwall:: FILE hexwallTargets.cmake
   DESTINATION ${hexwall_cmake_dir} COMPONENT library)
+# Static libraries: who links to them needs the parts of VTK that they need.
+get_target_property(libraries hexwall_lib LINK_LIBRARIES)
+get_target_property(more_libraries hexwall_exporters LINK_LIBRARIES)
+set(hexwall_vtk_components ${libraries} ${more_libraries})
+list(FILTER hexwall_vtk_components INCLUDE REGEX "^VTK::")
+list(TRANSFORM hexwall_vtk_components REPLACE "^VTK::" "")
+list(REMOVE_DUPLICATES hexwall_vtk_components)
+list(JOIN hexwall_vtk_components " " hexwall_vtk_components)
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/hexwallConfig.cmake.in
   ${CMAKE_BINARY_DIR}/hexwallConfig.cmake INSTALL_DESTINATION ${hexwall_cmake_dir})
 write_basic_package_version_file(${CMAKE_BINARY_DIR}/hexwallConfigVersion.cmake

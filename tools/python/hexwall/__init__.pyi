@@ -93,6 +93,8 @@ def mesh(
     threads: int | None = None,
     write: str | Sequence[str] | None = None,
     write_basis: bool | None = None,
+    no_report: bool | None = None,
+    pictures: bool | None = None,
     repair: str | Sequence[str] | None = None,
     no_repair: bool | None = None,
     tolerance: float | None = None,
