@@ -176,7 +176,7 @@ ExitCode run_quality(const QualityOptions& command) {
     fmt::print(stderr, "hexwall: {}: {} holds\n", command.mesh, v.condition);
     any = true;
   }
-  return any ? static_cast<ExitCode>(quality_exit_code) : ExitCode::success;
+  return any ? condition_holds : ExitCode::success;
 }
 
 }  // namespace
