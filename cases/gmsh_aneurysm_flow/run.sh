@@ -26,7 +26,7 @@ run() {
 for size in 2 1.5 1.1; do
   run hybrid $size --layers 4 --growth 1.3 --thickness-ratio 0.3 --core-growth 0.5
 done
-for size in 1.5 1.1 0.8; do
+for size in 1.5 1.1 0.9; do
   run tet $size
 done
 python3 cases/gmsh_aneurysm_flow/compare.py "$out"
