@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/errors.h"
+#include "exporters/foam_file.h"
 #include "exporters/output_file.h"
 #include "exporters/text.h"
 #include "lumen/cell_faces.h"
@@ -40,20 +41,9 @@ int count(const auto& container) {
   return static_cast<int>(container.size());
 }
 
-/// The banner every OpenFOAM file begins with. `note` is left out if empty.
-std::string header(std::string_view foam_class, std::string_view location, std::string_view object,
-                   const std::string& note = "") {
-  Text text(512);
-  text << "FoamFile\n{\n    version     2.0;\n    format      ascii;\n    class       "
-       << foam_class << ";\n";
-  if (!note.empty()) text << "    note        \"" << note << "\";\n";
-  text << "    location    \"" << location << "\";\n    object      " << object << ";\n}\n\n";
-  return text.take();
-}
-
 OutputFile mesh_file(const FoamMesh& target, std::string_view foam_class, std::string_view name,
                      std::string body, const std::string& note = "") {
-  body.insert(0, header(foam_class, target.folder(), name, note));
+  body.insert(0, foam_header(foam_class, target.folder(), name, note));
   return {target.folder() + '/' + std::string(name), std::move(body)};
 }
 
@@ -199,15 +189,11 @@ OutputFile cell_set_file(const FoamMesh& target, const CellGroup& region) {
   text << ")\n";
   const std::string folder = target.folder() + "/sets";
   return {folder + '/' + checked_word(region.name),
-          header("cellSet", folder, region.name) + text.take()};
-}
-
-OutputFile dictionary(const std::string& folder, std::string_view name, std::string_view body) {
-  return {folder + '/' + std::string(name), header("dictionary", folder, name) + std::string(body)};
+          foam_header("cellSet", folder, region.name) + text.take()};
 }
 
 void append_control(std::vector<OutputFile>& files) {
-  files.push_back(dictionary("system", "controlDict", R"(application     checkMesh;
+  files.push_back(foam_dictionary("system", "controlDict", R"(application     checkMesh;
 startFrom       startTime;
 startTime       0;
 stopAt          endTime;
@@ -219,14 +205,15 @@ writeInterval   1;
 }
 
 void append_schemes(const std::string& folder, std::vector<OutputFile>& files) {
-  files.push_back(dictionary(folder, "fvSchemes", R"(ddtSchemes           { default steadyState; }
+  files.push_back(
+      foam_dictionary(folder, "fvSchemes", R"(ddtSchemes           { default steadyState; }
 gradSchemes          { default Gauss linear; }
 divSchemes           { default none; }
 laplacianSchemes     { default Gauss linear corrected; }
 interpolationSchemes { default linear; }
 snGradSchemes        { default corrected; }
 )"));
-  files.push_back(dictionary(folder, "fvSolution", "solvers {}\n"));
+  files.push_back(foam_dictionary(folder, "fvSolution", "solvers {}\n"));
 }
 
 void append_mesh(const FoamMesh& target, double metres_per_unit, std::vector<OutputFile>& files) {
@@ -285,7 +272,7 @@ void write_openfoam_regions(const std::filesystem::path& case_dir, const CellMes
   for (int region = 0; region < 2; ++region) append_region(mesh, region, metres_per_unit, files);
   append_control(files);
   append_schemes("system", files);
-  files.push_back(dictionary(
+  files.push_back(foam_dictionary(
       "constant", "regionProperties",
       "regions (fluid (" + mesh.regions[0].name + ") solid (" + mesh.regions[1].name + "));\n"));
   write_output_files(case_dir, files);

@@ -47,12 +47,26 @@ BirdCarreauCoeffs
   return foam_dictionary("constant", "transportProperties", body);
 }
 
-/// Second order; gradients that are exact for linear fields on pyramids and tetrahedra as well.
-OutputFile schemes(const FlowSetup& setup) {
-  return foam_dictionary(
-      "system", "fvSchemes",
-      fmt::format(R"(ddtSchemes           {{ default {}; }}
-gradSchemes          {{ default pointCellsLeastSquares; }}
+/// Gradients that are exact for linear fields on every shape of cell. With hexahedra at the walls,
+/// that of the pressure leaves out cells that share but a point: pressure drops come out 1 % too
+/// small with them. On tetrahedra alone leaving them out makes wall shear stress worse, by up to 7
+/// % (cases/poiseuille).
+std::string_view pressure_gradient(const CellMesh& mesh) {
+  const bool is_tetrahedral =
+      std::all_of(mesh.shape.begin(), mesh.shape.end(),
+                  [](CellShape shape) { return shape == CellShape::tetrahedron; });
+  return is_tetrahedral ? "pointCellsLeastSquares" : "edgeCellsLeastSquares";
+}
+
+/// Second order.
+OutputFile schemes(const CellMesh& mesh, const FlowSetup& setup) {
+  return foam_dictionary("system", "fvSchemes",
+                         fmt::format(R"(ddtSchemes           {{ default {}; }}
+gradSchemes
+{{
+    default     pointCellsLeastSquares;
+    grad(p)     {};
+}}
 divSchemes
 {{
     default     none;
@@ -63,7 +77,8 @@ laplacianSchemes     {{ default Gauss linear corrected; }}
 interpolationSchemes {{ default linear; }}
 snGradSchemes        {{ default corrected; }}
 )",
-                  setup.pulse ? "backward" : "steadyState", setup.pulse ? "" : "bounded "));
+                                     setup.pulse ? "backward" : "steadyState",
+                                     pressure_gradient(mesh), setup.pulse ? "" : "bounded "));
 }
 
 constexpr std::string_view steady_solution = R"(solvers
@@ -370,7 +385,7 @@ std::vector<OutputFile> case_files(const CellMesh& mesh, const FlowSetup& setup,
   files.push_back(
       foam_dictionary("constant", "turbulenceProperties", "simulationType  laminar;\n"));
   files.push_back(control(mesh, setup));
-  files.push_back(schemes(setup));
+  files.push_back(schemes(mesh, setup));
   files.push_back(
       foam_dictionary("system", "fvSolution", setup.pulse ? pulsatile_solution : steady_solution));
   if (options.processes > 1) files.push_back(decomposition(mesh, options.processes));

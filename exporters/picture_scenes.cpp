@@ -90,42 +90,53 @@ PolyData openings_data(const PipelineResult& r) {
 /// A plane through the vessel and the place to look at.
 struct Cut {
   Vec3 at, normal;
-  Vec3 along;                    ///< in the plane: where the vessel extends most
-  std::optional<double> radius;  ///< of what is to be seen; none: everything
+  Vec3 along;     ///< in the plane: where the vessel extends most
+  double radius;  ///< of what is to be seen
+  bool has_branches;
 };
 
-// The zero where the vessel is widest, with the plane in which its branches lie; without a zero the
-// plane of the two greatest extents of the vessel.
-Cut find_cut(const PipelineResult& r) {
-  Cut cut{matrix_of(r.quads.points).rowwise().mean(), Vec3::UnitZ(), Vec3::UnitX(), std::nullopt};
-  double widest = 0.0;
+// The quad vertex nearest to a place.
+std::size_t nearest_vertex(const PipelineResult& r, const Vec3& at) {
+  const auto nearest = std::min_element(r.quads.points.begin(), r.quads.points.end(),
+                                        [&](const Vec3& a, const Vec3& b) {
+                                          return (a - at).squaredNorm() < (b - at).squaredNorm();
+                                        });
+  return static_cast<std::size_t>(nearest - r.quads.points.begin());
+}
+
+// The zero where the vessel is widest; without one the middle of the vessel.
+std::size_t vertex_to_cut_at(const PipelineResult& r, bool& has_branches) {
+  std::size_t widest = nearest_vertex(r, matrix_of(r.quads.points).rowwise().mean());
+  has_branches = false;
   for (const Zero& zero : r.foliation.graph.zeros) {
     if (zero.loop >= 0) continue;
-    const Vec3& at = r.solution.refined.surface.points[zero.vertex];
-    const auto nearest = std::min_element(r.quads.points.begin(), r.quads.points.end(),
-                                          [&](const Vec3& a, const Vec3& b) {
-                                            return (a - at).squaredNorm() < (b - at).squaredNorm();
-                                          });
-    const double radius = r.radius[nearest - r.quads.points.begin()];
-    if (radius <= widest) continue;
-    widest = radius;
-    cut.at = at;
-    cut.radius = 4.0 * radius;
+    const std::size_t v = nearest_vertex(r, r.solution.refined.surface.points[zero.vertex]);
+    if (has_branches && r.radius[v] <= r.radius[widest]) continue;
+    widest = v;
+    has_branches = true;
   }
+  return widest;
+}
+
+// The plane in which the vessel extends around that place.
+Cut find_cut(const PipelineResult& r) {
+  Cut cut{};
+  const std::size_t v = vertex_to_cut_at(r, cut.has_branches);
+  cut.radius = 4.0 * r.radius[v];
   std::vector<Vec3> around;
   for (const Vec3& p : r.quads.points) {
-    if (!cut.radius || (p - cut.at).norm() < *cut.radius) around.push_back(p);
+    if ((p - r.quads.points[v]).norm() < cut.radius) around.push_back(p);
   }
   const Eigen::Matrix3Xd points = matrix_of(around);
   cut.at = points.rowwise().mean();
   const Eigen::Matrix3Xd centred = points.colwise() - cut.at;
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(centred * centred.transpose());
   cut.normal = axes.eigenvectors().col(0);
-  cut.along = axes.eigenvectors().col(2);
-  if (cut.along.sum() < 0.0) cut.along *= -1.0;
   Eigen::Index largest = 0;
   cut.normal.cwiseAbs().maxCoeff(&largest);
   if (cut.normal[largest] < 0.0) cut.normal *= -1.0;
+  cut.along = axes.eigenvectors().col(2);
+  if (cut.along.sum() < 0.0) cut.along *= -1.0;
   return cut;
 }
 
@@ -135,17 +146,11 @@ PictureScene cut_scene(const PipelineResult& r, const std::string& wall) {
   const Vec3& right = cut.along;
   const Vec3 up = cut.normal.cross(right);
   const Vec3 eye = (-cut.normal + 0.25 * right + 0.35 * up).normalized();
-  std::vector<std::string> arguments{wall,      "--array",
-                                     "zone",    "--edges",
-                                     "--clip",  joined({cut.at, cut.normal}),
-                                     "--frame", joined({up.cross(eye).normalized(), up})};
-  if (cut.radius) {
-    arguments.insert(arguments.end(),
-                     {"--focus", fmt::format("{},{:.9g}", joined({cut.at}), *cut.radius)});
-  }
-  const bool has_branches = cut.radius.has_value();
-  return {"cut", has_branches ? "The layers, cut open at a bifurcation." : "The layers, cut open.",
-          std::move(arguments)};
+  return {"cut",
+          cut.has_branches ? "The layers, cut open at a bifurcation." : "The layers, cut open.",
+          {wall, "--array", "zone", "--edges", "--clip", joined({cut.at, cut.normal}), "--frame",
+           joined({up.cross(eye).normalized(), up}), "--focus",
+           fmt::format("{},{:.9g}", joined({cut.at}), cut.radius)}};
 }
 
 std::string ratio_range(const ThicknessResult& side) {

@@ -215,7 +215,7 @@ std::string pole_rows(const Json& report) {
 // Numbers, texts and truths of a part of the report, its parts with their names before.
 void add_rows(const Json& part, const std::string& prefix, Rows& rows) {
   for (const auto& [key, value] : part.items()) {
-    const std::string name = prefix.empty() ? key : prefix + "." + key;
+    const std::string name = prefix.empty() ? key : fmt::format("{}.{}", prefix, key);
     if (value.is_object()) {
       add_rows(value, name, rows);
     } else if (value.is_string()) {

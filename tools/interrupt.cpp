@@ -31,7 +31,7 @@ Interrupts& interrupts() {
   interrupts().mutex.lock();
   kill_children();
   auto& cleanups = interrupts().cleanups;
-  for (auto work = cleanups.rbegin(); work != cleanups.rend(); ++work) (**work)();
+  std::for_each(cleanups.rbegin(), cleanups.rend(), [](const auto* work) { (*work)(); });
   if (isatty(fileno(stderr)) != 0) fmt::print(stderr, "\r\033[K");
   fmt::print(stderr, "hexwall: stopped, nothing was written\n");
   std::fflush(nullptr);

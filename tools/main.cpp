@@ -18,6 +18,7 @@
 
 #include "case_command.h"
 #include "check_command.h"
+#include "compare_command.h"
 #include "generate_command.h"
 #include "interrupt.h"
 #include "lumen_command.h"
@@ -59,8 +60,8 @@ int run(int argc, char** argv) {
       "4 topology of the surface, 5 geometry of the surface, 6 no valid mesh, 7 output,\n"
       "8 a condition of 'quality --fail-if' holds, 130 stopped by Ctrl-C.");
   const std::vector<Command> commands{
-      add_mesh(app),    add_lumen(app), add_case(app),     add_shear(app),     add_check(app),
-      add_quality(app), add_view(app),  add_generate(app), add_reference(app),
+      add_mesh(app),  add_lumen(app),   add_compare(app), add_case(app),     add_shear(app),
+      add_check(app), add_quality(app), add_view(app),    add_generate(app), add_reference(app),
   };
   try {
     app.parse(argc, argv);

@@ -38,10 +38,12 @@ constexpr double reduced_below = 0.99;
 // way a reader of the mesh splits the faces of the skin. Inside, the core of the lumen needs room.
 constexpr double clearance_outside = 1.05;
 constexpr double clearance_inside = 1.25;
-// Inside a bend layers get narrower towards the core: edges keep this share of their length, unless
-// that takes layers thinner than the other share of what was asked.
+// Inside, layers get narrower in a bend and wider over a ridge: edges towards the core have a
+// length between these shares of the wall's, unless that takes layers thinner than the last of what
+// was asked.
 constexpr double least_narrowing = 0.35;
-constexpr double least_ratio_for_narrowing = 0.1;
+constexpr double greatest_widening = 3.0;
+constexpr double least_ratio_for_width = 0.1;
 
 class Fitter {
  public:
@@ -118,14 +120,16 @@ class Fitter {
         place_of(quads_.quads[worst - bound_.begin()][0])));
   }
 
-  bool is_too_narrow(std::size_t q, const Column& c) const {
+  bool is_narrowed_or_widened(std::size_t q, const Column& c) const {
     if (side_ == Side::outward) return false;
     for (int k = 0; k < 4; ++k) {
       const int j = (k + 1) % 4;
-      if (c.inward[k] < least_ratio_for_narrowing * result_.asked[quads_.quads[q][k]]) continue;
+      if (c.inward[k] < least_ratio_for_width * result_.asked[quads_.quads[q][k]]) continue;
       const Vec3 edge = c.base[j] - c.base[k];
       const Vec3 inside = edge - c.inward[j] * c.direction[j] + c.inward[k] * c.direction[k];
-      if (inside.dot(edge) < least_narrowing * edge.squaredNorm()) return true;
+      const double length = edge.norm();
+      if (inside.dot(edge) < least_narrowing * length * length) return true;
+      if (inside.norm() > greatest_widening * length) return true;
     }
     return false;
   }
@@ -135,7 +139,7 @@ class Fitter {
     for (;;) {
       parallel_for(bad.size(), [&](std::size_t q) {
         const Column c = column(q);
-        bad[q] = scaled_jacobian(c, levels_) < bound_[q] || is_too_narrow(q, c) ? 1 : 0;
+        bad[q] = scaled_jacobian(c, levels_) < bound_[q] || is_narrowed_or_widened(q, c) ? 1 : 0;
       });
       std::vector<int> marked;
       for (std::size_t q = 0; q < bad.size(); ++q) {

@@ -11,9 +11,10 @@ Histogram histogram_of(const std::vector<double>& values, Bins bins) {
     bins.low = values.front();
     bins.high = values.back();
   }
-  // All values are equal: one bin around them.
-  if (bins.high <= bins.low) return {bins.low, 0.0, {values.size()}};
-  Histogram histogram{bins.low, (bins.high - bins.low) / bins.count, {}};
+  const double width = (bins.high - bins.low) / bins.count;
+  // All values are equal, or so far apart that no number says how far: one bin for all.
+  if (!(width > 0.0) || !std::isfinite(width)) return {bins.low, 0.0, {values.size()}};
+  Histogram histogram{bins.low, width, {}};
   histogram.counts.assign(static_cast<std::size_t>(bins.count), 0);
   for (const double value : values) {
     const double bin = std::floor((value - bins.low) / histogram.width);

@@ -137,10 +137,13 @@ std::vector<std::vector<int>> read_faces(FoamTokens& tokens) {
   return faces;
 }
 
-// Also written as N{value} if all are equal.
-std::vector<int> read_labels(FoamTokens& tokens) {
+// Also written as N{value} if all are equal. There can't be more than `most`.
+std::vector<int> read_labels(FoamTokens& tokens, std::size_t most) {
   std::vector<int> labels;
   const int count = tokens.count();
+  if (static_cast<std::size_t>(count) > most) {
+    tokens.fail(fmt::format("{} labels of {} faces", count, most));
+  }
   const std::string_view mark = tokens.next();
   if (mark == "{") {
     labels.assign(static_cast<std::size_t>(count), tokens.number<int>());
@@ -154,14 +157,8 @@ std::vector<int> read_labels(FoamTokens& tokens) {
 }
 
 template <typename Read>
-auto read_file(const fs::path& folder, const std::string& file, const Read& read) {
+auto read_file(const std::string& content, const char* file, const Read& read) {
   try {
-    const fs::path path = folder / file;
-    if (!fs::exists(path) && fs::exists(path.string() + ".gz")) {
-      throw ReadError("the file is compressed: unpack it with gunzip");
-    }
-    check_file(path);
-    const std::string content = content_of(path);
     FoamTokens tokens(content);
     read_header(tokens);
     return read(tokens);
@@ -170,17 +167,35 @@ auto read_file(const fs::path& folder, const std::string& file, const Read& read
   }
 }
 
+std::string content_in(const fs::path& folder, const char* file) {
+  try {
+    const fs::path path = folder / file;
+    if (!fs::exists(path) && fs::exists(path.string() + ".gz")) {
+      throw ReadError("the file is compressed: unpack it with gunzip");
+    }
+    check_file(path);
+    return content_of(path);
+  } catch (const ReadError& error) {
+    throw ReadError(fmt::format("{}: {}", file, error.what()));
+  }
+}
+
 }  // namespace
 
 AnyMesh read_foam(const fs::path& folder) {
+  return parse_foam({content_in(folder, "points"), content_in(folder, "faces"),
+                     content_in(folder, "owner"), content_in(folder, "neighbour")});
+}
+
+AnyMesh parse_foam(const FoamFiles& files) {
   AnyMesh mesh;
-  mesh.points = read_file(folder, "points", read_points);
-  const auto faces = read_file(folder, "faces", read_faces);
-  const auto owner = read_file(folder, "owner", read_labels);
-  const auto neighbour = read_file(folder, "neighbour", read_labels);
-  if (owner.size() != faces.size() || neighbour.size() > faces.size()) {
-    throw ReadError(fmt::format("{} faces, but {} owners and {} neighbours", faces.size(),
-                                owner.size(), neighbour.size()));
+  mesh.points = read_file(files.points, "points", read_points);
+  const auto faces = read_file(files.faces, "faces", read_faces);
+  const auto labels = [&](FoamTokens& tokens) { return read_labels(tokens, faces.size()); };
+  const auto owner = read_file(files.owner, "owner", labels);
+  const auto neighbour = read_file(files.neighbour, "neighbour", labels);
+  if (owner.size() != faces.size()) {
+    throw ReadError(fmt::format("{} faces, but {} owners", faces.size(), owner.size()));
   }
   FaceMesh sides;
   for (std::size_t f = 0; f < faces.size(); ++f) {

@@ -78,7 +78,7 @@ const Format& format_of(const fs::path& path) {
 }
 
 fs::path poly_mesh_in(const fs::path& folder) {
-  for (const char* below : {"", "polyMesh", "constant/polyMesh"}) {
+  for (const char* below : {"", "polyMesh", "constant/polyMesh", "openfoam/constant/polyMesh"}) {
     fs::path candidate = folder / below;
     if (fs::exists(candidate / "faces") || fs::exists(candidate / "faces.gz")) return candidate;
   }

@@ -19,6 +19,13 @@ AnyMesh parse_vtk_grid(const std::string& content);
 AnyMesh parse_gmsh(const std::string& content);
 AnyMesh parse_abaqus(const std::string& content);
 
+/// The contents of the files of a polyMesh folder.
+struct FoamFiles {
+  std::string points, faces, owner, neighbour;
+};
+
+AnyMesh parse_foam(const FoamFiles& files);
+
 /// \param folder the polyMesh folder with the files points, faces, owner and neighbour.
 AnyMesh read_foam(const std::filesystem::path& folder);
 

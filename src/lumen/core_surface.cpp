@@ -26,8 +26,8 @@ constexpr double clearance = 1.3;
 constexpr double lowering = 0.8;
 // Between neighbouring pyramids there should be this angle, or their tetrahedra would be slivers;
 // they are not lowered beyond the given share for it.
-constexpr double least_gap = 40.0 * std::numbers::pi / 180.0;
-constexpr double lowest_for_gap = 0.25;
+constexpr double least_gap = 45.0 * std::numbers::pi / 180.0;
+constexpr double lowest_for_gap = 0.2;
 // Lower ones would be slivers.
 constexpr double least_height = 0.02;
 

@@ -18,7 +18,7 @@
 namespace hexwall {
 namespace {
 
-constexpr int improvement_rounds = 4;
+constexpr int improvement_rounds = 6;
 
 std::vector<std::string> opening_names(const PipelineResult& r) {
   std::vector<std::string> names;

@@ -189,6 +189,8 @@ TEST_F(FoamReader, SaysWhatIsWrong) {
   expect_refused({"cell 2 has 0 faces"});
   write("owner", foam_file("13(0 0 0 0 0 0 1 1 1 1 1 1 99)"));
   expect_refused({"cell 99 of 13 faces"});
+  write("owner", foam_file("2000000000{0}"));
+  expect_refused({"owner: line 11: 2000000000 labels of 13 faces"});
   write("faces", foam_file("13\n(\n4(0 1 2 99)"));
   expect_refused({"faces: line 13: the file is truncated"});
   write("faces", "FoamFile { format binary; }\n");

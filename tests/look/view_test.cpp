@@ -11,7 +11,6 @@
 namespace hexwall::test {
 namespace {
 
-namespace fs = std::filesystem;
 using nlohmann::json;
 
 using View = ProgramFails;

@@ -53,8 +53,8 @@ void aim_camera(vtkCamera* camera, const Points& points, const PictureOptions& o
   if (!options.focus.empty()) {
     const Eigen::Vector3d center = frame.transpose() * Eigen::Vector3d::Map(options.focus.data());
     const Eigen::Vector3d radius = Eigen::Vector3d::Constant(options.focus[3]);
-    low = center - radius;
-    high = center + radius;
+    low = low.cwiseMax(center - radius);
+    high = high.cwiseMin(center + radius);
   }
   const Eigen::Vector3d size = high - low;
   const double half_height = 0.53 * std::max(size.y(), size.x() / aspect) / options.zoom;

@@ -16,8 +16,9 @@ struct PictureOptions {
   std::string title;          ///< of the colours; empty: the name of the array
   std::vector<double> view;   ///< direction from the data to the eye; empty: chosen from the data
   std::vector<double> frame;  ///< directions to the right and up; empty: from `view`
-  std::vector<double> focus;  ///< centre and radius of what fills the picture; empty: everything
-  std::vector<double> clip;   ///< point and normal of a plane; cells on the normal's side stay
+  std::vector<double>
+      focus;  ///< centre and radius of what fills the picture, no more than everything
+  std::vector<double> clip;  ///< point and normal of a plane; cells on the normal's side stay
   double zoom = 1;
   std::string size = "1600x1200";
   bool edges = false;

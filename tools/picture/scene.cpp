@@ -273,11 +273,15 @@ void build_scene(const PictureOptions& options, vtkRenderWindow* window) {
   if (!options.texture.empty()) apply_checkerboard(surface, actor);
   scene->AddActor(actor);
   if (options.edges) scene->AddActor(edges_actor(surface));
+  const bool has_labels = !options.lines.empty() && labels_of(read_data(options.lines)) != nullptr;
   if (!options.lines.empty()) {
     add_lines(options, 0.0012 * data->GetLength(), window, scene);
   }
   const double aspect = width * window->GetSize()[0] / window->GetSize()[1];
-  aim_camera(scene->GetActiveCamera(), points_to_see(options, surface), options, aspect);
+  // Labels reach beyond their places.
+  PictureOptions with_margin = options;
+  if (has_labels) with_margin.zoom *= 0.93;
+  aim_camera(scene->GetActiveCamera(), points_to_see(options, surface), with_margin, aspect);
   scene->ResetCameraClippingRange();
 }
 

@@ -1,0 +1,34 @@
+#!/usr/bin/env bash
+# Steady flow in the aneurysm of Debian's gmsh-doc at Re 300, on hybrid meshes and on tetrahedra of
+# several sizes.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+
+out=${1:-build/cases/gmsh_aneurysm_flow}
+aneurysm=/usr/share/doc/gmsh-doc/doc/gmsh/demos/api/aneurysm_data.stl.gz
+if [[ ! -f $aneurysm ]]; then
+  aneurysm=build/demo/gmsh-doc$aneurysm # where tools/demo.sh puts it if /usr/share/doc is left out
+fi
+mkdir -p "$out"
+gzip -dc "$aneurysm" > "$out/aneurysm.stl"
+
+# Makes and runs the case KIND_SIZE.
+run() {
+  local kind=$1 size=$2 folder=$out/$1_$2
+  shift 2
+  rm -rf "$folder"
+  build/hexwall case "$out/aneurysm.stl" -o "$folder" --mesh "$kind" --size "$size" --re 300 \
+    --quiet "$@"
+  "$folder/Allrun"
+  build/hexwall shear "$folder" -o "$folder"
+}
+
+for size in 2 1.5 1.1; do
+  run hybrid $size --layers 4 --growth 1.3 --thickness-ratio 0.3 --core-growth 0.5
+done
+for size in 1.5 1.1 0.9; do
+  run tet $size
+done
+python3 cases/gmsh_aneurysm_flow/compare.py "$out"
+xvfb-run -a build/hexwall-picture "$out/hybrid_1.1/wall.vtp" -o "$out/shear.png" --array wss \
+  --range 0,2 --view=0.2,-1,0.2 --size 1000x700

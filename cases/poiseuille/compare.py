@@ -1,0 +1,134 @@
+#!/usr/bin/env python3
+"""Developed flow in a straight tube: errors of wall shear stress and pressure drop of each run
+against Poiseuille's solution, as a table, results.json and a plot.
+
+compare.py FOLDER: the runs are FOLDER/hybrid_SIZE and FOLDER/tet_SIZE.
+"""
+
+import glob
+import json
+import os
+import sys
+
+import matplotlib
+import numpy
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
+import foam  # noqa: E402
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt  # noqa: E402
+
+RADIUS = 1e-3  # m
+
+
+def slope_of_pressure(case, time, length):
+    """dp/dz over the middle half: line through the pressures of its cells, by volume."""
+    z = foam.field(case, "0", "C")[:, 2]
+    volume = foam.field(case, "0", "V")
+    pressure = foam.field(case, time, "p")
+    inside = (z > 0.25 * length) & (z < 0.75 * length)
+    return abs(numpy.polyfit(z[inside], pressure[inside], 1, w=numpy.sqrt(volume[inside]))[0])
+
+
+def measure(case):
+    report = foam.report(case)
+    flow = report["flow"]
+    nu = flow["fluid"]["viscosity"] / flow["fluid"]["density"]
+    time = foam.last_time(case)
+    wall = foam.Patch(case, "wall")
+    area = numpy.linalg.norm(wall.areas, axis=1)
+    z = wall.centers[:, 2]
+    length = z.max() + z.min()
+    inside = (z > 0.25 * length) & (z < 0.75 * length)
+    shear = numpy.linalg.norm(foam.field(case, time, "wallShearStress", "wall"), axis=1)
+    slope = slope_of_pressure(case, time, length)
+
+    def errors(radius):
+        exact_shear = 4 * nu * flow["flow_rate"] / (numpy.pi * radius**3)
+        exact_slope = 8 * nu * flow["flow_rate"] / (numpy.pi * radius**4)
+        off = shear[inside] / exact_shear - 1
+        return {
+            "shear_rms": float(numpy.sqrt(numpy.average(off**2, weights=area[inside]))),
+            "shear_mean": float(numpy.average(off, weights=area[inside])),
+            "pressure_drop": float(slope / exact_slope - 1),
+        }
+
+    return {
+        "name": os.path.basename(case),
+        "size": float(case.rsplit("_", 1)[1]),
+        "cells": report["lumen"]["cells"],
+        "seconds": foam.seconds(case),
+        "iterations": foam.iterations(case),
+        # What is meshed is a prism over a polygon: its circle of equal area is smaller.
+        "area": flow["inlet"]["area"] / (numpy.pi * RADIUS**2) - 1,
+        "tube": errors(RADIUS),
+        "meshed": errors(flow["inlet"]["diameter"] / 2),
+    }
+
+
+def at_error(runs, value, kind):
+    """`value` (cells or seconds) at which a kind of mesh has an error of wall shear stress: between
+    runs on a straight line in log-log."""
+    runs = sorted(runs, key=lambda r: r[kind]["shear_rms"])
+    x = numpy.log([r[kind]["shear_rms"] for r in runs])
+    y = numpy.log([r[value] for r in runs])
+    return lambda error: float(numpy.exp(numpy.interp(numpy.log(error), x, y)))
+
+
+def advantage(hybrid, tet, kind):
+    """How many times more cells and seconds tetrahedra take, at the errors of their runs that the
+    hybrid meshes reach between their coarsest and their finest."""
+    rows = []
+    worst, best = (limit(r[kind]["shear_rms"] for r in hybrid) for limit in (max, min))
+    for error in (r[kind]["shear_rms"] for r in tet):
+        if best <= error <= worst:
+            rows.append({"error": error} | {
+                value: at_error(tet, value, kind)(error) / at_error(hybrid, value, kind)(error)
+                for value in ("cells", "seconds")})
+    return rows
+
+
+def plot(kinds, path):
+    figure, axes = plt.subplots(1, 2, figsize=(9, 3.8), sharey=True)
+    for axis, value, label in zip(axes, ("cells", "seconds"), ("cells", "CPU seconds of the solver")):
+        for (name, runs), color in zip(kinds.items(), ("tab:blue", "tab:red")):
+            x = [r[value] for r in runs]
+            axis.loglog(x, [100 * r["tube"]["shear_rms"] for r in runs], "o-", color=color,
+                        label=f"{name}: wall shear stress, rms")
+            axis.loglog(x, [100 * abs(r["tube"]["pressure_drop"]) for r in runs], "s--", color=color,
+                        label=f"{name}: pressure drop")
+        axis.set_xlabel(label)
+        axis.grid(True, which="both", alpha=0.3)
+    axes[0].set_ylabel("error in %")
+    axes[0].legend(fontsize=8)
+    figure.tight_layout()
+    figure.savefig(path, dpi=90)
+
+
+def main(folder):
+    kinds = {}
+    for name in ("hybrid", "tet"):
+        runs = [measure(case) for case in glob.glob(os.path.join(folder, name + "_*"))]
+        kinds[name] = sorted(runs, key=lambda r: -r["size"])
+    print("| mesh | cells | iterations | solver | area | shear, rms | mean | pressure drop "
+          "| of the meshed tube: shear, rms | mean | pressure drop |")
+    print("|---" * 11 + "|")
+    for runs in kinds.values():
+        for r in runs:
+            t, m = r["tube"], r["meshed"]
+            print(f"| {r['name'].replace('_', ' ')} | {r['cells']} | {r['iterations']} "
+                  f"| {r['seconds']:.1f} s | {100 * r['area']:+.1f} % | {100 * t['shear_rms']:.2f} % "
+                  f"| {100 * t['shear_mean']:+.2f} % | {100 * t['pressure_drop']:+.2f} % "
+                  f"| {100 * m['shear_rms']:.2f} % | {100 * m['shear_mean']:+.2f} % | {100 * m['pressure_drop']:+.2f} % |")
+    # Of wall shear stress: errors of the pressure drop pass through zero.
+    gains = advantage(kinds["hybrid"], kinds["tet"], "tube")
+    for g in gains:
+        print(f"shear {100 * g['error']:.1f} % off: tetrahedra take {g['cells']:.1f} times the cells, "
+              f"{g['seconds']:.1f} times the solver's time")
+    with open(os.path.join(folder, "results.json"), "w", encoding="utf-8") as file:
+        json.dump(kinds | {"advantage": gains}, file, indent=1)
+    plot(kinds, os.path.join(folder, "errors.png"))
+
+
+main(sys.argv[1])
