@@ -8,7 +8,7 @@ mkdir -p "$out"
 build/hexwall generate bifurcation -o "$out/bifurcation.vtp" --edge 0.1
 rm -rf "$out/run"
 build/hexwall case "$out/bifurcation.vtp" -o "$out/run" --size 0.35 --layers 4 --growth 1.3 \
-  --thickness-ratio 0.3 --core-growth 0.5 --flow pulsatile --re 150 --period 0.9 --cycles 2 \
+  --thickness-ratio 0.3 --core-growth 0.5 --units cm --flow pulsatile --re 400 --period 0.9 --cycles 2 \
   --fluid carreau
 "$out/run/Allrun"
 build/hexwall shear "$out/run" -o "$out/run"
