@@ -115,7 +115,8 @@ class Fitter {
     const auto worst = std::min_element(bound_.begin(), bound_.end());
     if (*worst > 0.0) return;
     throw MeshingError(fmt::format(
-        "no wall can be extruded at {}: a quad is folded there, which is too large for the surface, "
+        "no wall can be extruded at {}: a quad is folded there, which is too large for the "
+        "surface, "
         "or the surface itself is. Choose a smaller --size, or smooth or remesh the surface",
         place_of(quads_.quads[worst - bound_.begin()][0])));
   }
