@@ -299,10 +299,11 @@ std::array<int, 3> slices(const CellMesh& mesh, int processes) {
   std::vector<int> factors;
   for (int factor = 2; processes > 1; ++factor)
     for (; processes % factor == 0; processes /= factor) factors.push_back(factor);
-  for (auto factor = factors.rbegin(); factor != factors.rend(); ++factor) {
+  std::reverse(factors.begin(), factors.end());
+  for (const int factor : factors) {
     const auto longest = std::max_element(side.begin(), side.end()) - side.begin();
-    numbers[longest] *= *factor;
-    side[longest] /= *factor;
+    numbers[longest] *= factor;
+    side[longest] /= factor;
   }
   return numbers;
 }

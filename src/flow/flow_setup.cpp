@@ -71,7 +71,9 @@ std::string names_of(const std::vector<FlowOutlet>& outlets) {
 
 void set_given_shares(const std::map<std::string, double>& split,
                       std::vector<FlowOutlet>& outlets) {
-  for (const auto& [name, share] : split) {
+  for (const auto& entry : split) {
+    const std::string& name = entry.first;
+    const double share = entry.second;
     const auto is_named = [&](const FlowOutlet& outlet) { return outlet.patch == name; };
     const auto outlet = std::find_if(outlets.begin(), outlets.end(), is_named);
     if (outlet == outlets.end()) {

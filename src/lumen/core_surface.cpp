@@ -114,7 +114,7 @@ class Builder {
   }
 
   void add_caps() {
-    result_.first_cap_point_ = static_cast<int>(result_.surface.points.size());
+    result_.first_cap_point = static_cast<int>(result_.surface.points.size());
     const auto rims = cap_rims(quads_);
     for (std::size_t loop = 0; loop < rims.size(); ++loop) {
       std::vector<Vec3> rim;
@@ -228,12 +228,7 @@ class Builder {
     }
     place_apexes(height, 1.0);
     for (std::size_t q = 0; q < frames_.size(); ++q) {
-      const double ratio = height[q] / frames_[q].height;
-      if (ratio >= 1.0) continue;
-      ++result_.lowered;
-      if (ratio >= result_.least_height) continue;
-      result_.least_height = ratio;
-      result_.lowest = frames_[q].center;
+      if (height[q] < frames_[q].height) ++result_.lowered;
     }
   }
 

@@ -163,7 +163,7 @@ std::vector<char> movable_vertices(const CellMesh& mesh, const CoreSurface& core
                                    const TetMesh& tets) {
   std::vector<char> movable(mesh.points.size(), 0);
   const std::size_t offset = mesh.points.size() - tets.points.size();
-  const int apexes_end = core.has_apexes ? core.first_cap_point() : core.first_apex;
+  const int apexes_end = core.has_apexes ? core.first_cap_point : core.first_apex;
   for (int v = core.first_apex; v < apexes_end; ++v) movable[offset + v] = 1;
   for (std::size_t v = core.surface.points.size(); v < tets.points.size(); ++v) {
     movable[offset + v] = 1;

@@ -2,6 +2,7 @@
 
 #include <csignal>
 #include <cstdlib>
+#include <map>
 #include <stdexcept>
 #include <thread>
 
@@ -35,6 +36,39 @@ TriangleSurface box(const Vec3& low, const Vec3& high) {
   return surface;
 }
 
+/// A box from the origin to `high` whose sides are grids of n x n squares, each two triangles.
+TriangleSurface grid_box(const Vec3& high, int n) {
+  TriangleSurface surface;
+  std::map<std::array<int, 3>, int> known;
+  const auto vertex = [&](const std::array<int, 3>& at) {
+    const auto [place, is_new] = known.try_emplace(at, static_cast<int>(surface.points.size()));
+    if (is_new) {
+      surface.points.emplace_back(high.x() * at[0] / n, high.y() * at[1] / n, high.z() * at[2] / n);
+    }
+    return place->second;
+  };
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const int side : {0, n}) {
+      for (int i = 0; i < n * n; ++i) {
+        const auto corner = [&](int u, int v) {
+          std::array<int, 3> at{};
+          at[axis] = side;
+          at[(axis + 1) % 3] = i % n + u;
+          at[(axis + 2) % 3] = i / n + v;
+          return vertex(at);
+        };
+        const int a = corner(0, 0);
+        const int c = corner(1, 1);
+        const int b = side == n ? corner(1, 0) : corner(0, 1);
+        const int d = side == n ? corner(0, 1) : corner(1, 0);
+        surface.triangles.push_back({a, b, c});
+        surface.triangles.push_back({a, c, d});
+      }
+    }
+  }
+  return surface;
+}
+
 double volume(const TetMesh& mesh, const std::array<int, 4>& t) {
   const auto& p = mesh.points;
   return (p[t[1]] - p[t[0]]).cross(p[t[2]] - p[t[0]]).dot(p[t[3]] - p[t[0]]) / 6.0;
@@ -45,8 +79,8 @@ TetMesh fill(const TriangleSurface& surface, double edge, const TetOptions& opti
 }
 
 TEST(Tetrahedra, FillASurfaceWithoutNewPointsOnIt) {
-  const TriangleSurface surface = box({0, 0, 0}, {1, 2, 3});
-  const TetMesh mesh = fill(surface, 0.4);
+  const TriangleSurface surface = grid_box({1, 2, 3}, 6);
+  const TetMesh mesh = fill(surface, 0.3);
   double sum = 0.0;
   for (const auto& t : mesh.tets) {
     EXPECT_GT(volume(mesh, t), 0.0);
@@ -66,7 +100,7 @@ TEST(Tetrahedra, FillASurfaceWithoutNewPointsOnIt) {
 }
 
 TEST(Tetrahedra, AreAsLargeAsAskedAndGrowInwards) {
-  const TriangleSurface surface = box({0, 0, 0}, {4, 4, 4});
+  const TriangleSurface surface = grid_box({4, 4, 4}, 8);
   const TetMesh even = fill(surface, 0.5);
   const double regular = 0.5 * 0.5 * 0.5 / (6.0 * std::sqrt(2.0));
   const double mean = 64.0 / static_cast<double>(even.tets.size());
@@ -110,7 +144,7 @@ TEST(Tetrahedra, TetGenIsEndedWhenItsTimeIsUp) {
   TetOptions hurried;
   hurried.seconds = 0.02;
   try {
-    fill(box({0, 0, 0}, {1, 1, 1}), 0.01, hurried);
+    fill(grid_box({1, 1, 1}, 20), 0.02, hurried);
     FAIL() << "nothing was thrown";
   } catch (const MeshingError& error) {
     EXPECT_NE(std::string(error.what()).find("took longer"), std::string::npos) << error.what();
