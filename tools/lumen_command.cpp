@@ -45,7 +45,8 @@ void check_options(const LumenCommandOptions& c) {
   if (c.first_height && !(*c.first_height > 0.0)) {
     throw UsageError("--first-height must be a positive length");
   }
-  if (c.lumen.core_growth < 0.0) throw UsageError("--core-growth must not be negative");
+  if (c.lumen.core_growth.value_or(0.0) < 0.0)
+    throw UsageError("--core-growth must not be negative");
 }
 
 // The thickness of all layers from the height of the first.
@@ -121,9 +122,10 @@ void add_lumen_options(CLI::App& command, LumenCommandOptions& c) {
                   "Height of the layer at the wall, instead of a thickness, in input units")
       ->group(group);
   command
-      .add_option("--core-growth", c.lumen.core_growth,
-                  "Edges of tetrahedra grow by this share of the distance from the layers")
-      ->capture_default_str()
+      .add_option(
+          "--core-growth", c.lumen.core_growth,
+          "Edges of tetrahedra grow by this share of the distance from the wall or its layers "
+          "[hybrid: 0.2; tet: 0]")
       ->group(group);
   command
       .add_option("--inlet", c.lumen.inlet, "Name of the opening that is the inlet [the largest]")

@@ -19,6 +19,7 @@ namespace hexwall {
 namespace {
 
 constexpr int improvement_rounds = 6;
+constexpr double hybrid_core_growth = 0.2;
 
 std::vector<std::string> opening_names(const PipelineResult& r) {
   std::vector<std::string> names;
@@ -269,7 +270,7 @@ LumenResult make_lumen(const PipelineResult& r, const LumenOptions& options,
   result.lowered_pyramids = core.lowered;
   clock.begin("tetrahedra");
   TetOptions tet_options;
-  tet_options.growth = options.core_growth;
+  tet_options.growth = options.core_growth.value_or(is_hybrid ? hybrid_core_growth : 0.0);
   tet_options.seconds = options.seconds;
   TetMesh tets = fill_with_tets(core.surface, core.edge, tet_options);
   result.tetgen_seconds = tets.seconds;

@@ -18,9 +18,10 @@ struct LumenOptions {
     tet      ///< tetrahedra only
   };
   Mesh mesh = Mesh::hybrid;
-  std::string inlet;         ///< name of an opening; empty: the largest
-  double core_growth = 0.0;  ///< tetrahedra's edges grow by this share of the distance
-  double seconds = 600.0;    ///< TetGen may take
+  std::string inlet;                  ///< name of an opening; empty: the largest
+  std::optional<double> core_growth;  ///< tetrahedra's edges grow by this share of the distance;
+                                      ///< default: 0.2 in a hybrid mesh, 0 without layers
+  double seconds = 600.0;             ///< TetGen may take
 };
 
 /// How many cells of each shape there are.
