@@ -198,7 +198,8 @@ void fit_sides(const PipelineResult& r, WallFit& fit) {
     fit.shape.outward = fit.outward->given;
   }
   if (r.options.inward) {
-    fit.inward = fit_thickness(fit.quads, fit.directions, fit.shape, Side::inward);
+    fit.inward = fit_thickness(fit.quads, fit.directions, fit.shape, Side::inward,
+                               r.options.leaves_room_for_core);
     fit.shape.inward = fit.inward->given;
   }
   fit.columns_without_face_tets = columns_without_face_tets(fit);

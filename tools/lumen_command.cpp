@@ -137,7 +137,12 @@ LumenRun run_lumen(const LumenCommandOptions& c) {
   LumenRun run;
   ProgressDisplay progress(!c.surface.quiet, lumen_stages);
   run.surface = run_surface(
-      c.surface, [&](PipelineOptions& o) { set_first_height(c, o); }, &progress);
+      c.surface,
+      [&](PipelineOptions& o) {
+        set_first_height(c, o);
+        o.leaves_room_for_core = true;
+      },
+      &progress);
   LumenOptions options = c.lumen;
   options.mesh = is_hybrid(c) ? LumenOptions::Mesh::hybrid : LumenOptions::Mesh::tet;
   run.lumen = make_lumen(run.surface.result, options,

@@ -35,12 +35,12 @@ constexpr double slope_tolerance = 1e-12;
 // A vertex counts as reduced below this share of the thickness asked for.
 constexpr double reduced_below = 0.99;
 // Collisions are looked for at this multiple of the thickness: what passes leaves a gap, whichever
-// way a reader of the mesh splits the faces of the skin. Inside, the core of the lumen needs room.
-constexpr double clearance_outside = 1.05;
-constexpr double clearance_inside = 1.25;
-// Inside, layers get narrower in a bend and wider over a ridge: edges towards the core have a
-// length between these shares of the wall's, unless that takes layers thinner than the last of what
-// was asked.
+// way a reader of the mesh splits the faces of the skin. The core of the lumen needs room.
+constexpr double clearance = 1.05;
+constexpr double clearance_for_core = 1.25;
+// Inside, layers get narrower in a bend and wider over a ridge: for a core that is to be filled,
+// edges towards it have a length between these shares of the wall's, unless that takes layers
+// thinner than the last of what was asked.
 constexpr double least_narrowing = 0.35;
 constexpr double greatest_widening = 3.0;
 constexpr double least_ratio_for_width = 0.1;
@@ -48,10 +48,11 @@ constexpr double least_ratio_for_width = 0.1;
 class Fitter {
  public:
   Fitter(const QuadMesh& quads, const std::vector<Vec3>& directions, const WallShape& shape,
-         Side side)
+         Side side, bool for_core)
       : quads_(quads),
         directions_(directions),
         side_(side),
+        for_core_(for_core && side == Side::inward),
         levels_(side == Side::outward ? shape.plan.outer_levels() : shape.plan.inner_levels()),
         edges_(edges_of(quads)),
         skin_(quads, directions, side),
@@ -116,13 +117,13 @@ class Fitter {
     if (*worst > 0.0) return;
     throw MeshingError(fmt::format(
         "no wall can be extruded at {}: a quad is folded there, which is too large for the "
-        "surface, "
-        "or the surface itself is. Choose a smaller --size, or smooth or remesh the surface",
+        "surface, or the surface itself is. Choose a smaller --size, or smooth or remesh the "
+        "surface",
         place_of(quads_.quads[worst - bound_.begin()][0])));
   }
 
   bool is_narrowed_or_widened(std::size_t q, const Column& c) const {
-    if (side_ == Side::outward) return false;
+    if (!for_core_) return false;
     for (int k = 0; k < 4; ++k) {
       const int j = (k + 1) % 4;
       if (c.inward[k] < least_ratio_for_width * result_.asked[quads_.quads[q][k]]) continue;
@@ -169,9 +170,7 @@ class Fitter {
 
   std::vector<double> with_clearance() {
     std::vector<double> thickness = given();
-    for (double& t : thickness) {
-      t *= side_ == Side::outward ? clearance_outside : clearance_inside;
-    }
+    for (double& t : thickness) t *= for_core_ ? clearance_for_core : clearance;
     return thickness;
   }
 
@@ -271,6 +270,7 @@ class Fitter {
   const QuadMesh& quads_;
   const std::vector<Vec3>& directions_;
   Side side_;
+  bool for_core_;
   std::vector<double> levels_;
   std::vector<std::array<int, 2>> edges_;
   std::vector<double> room_;  // #E greatest difference of thickness between the ends
@@ -284,8 +284,8 @@ class Fitter {
 }  // namespace
 
 ThicknessResult fit_thickness(const QuadMesh& quads, const std::vector<Vec3>& directions,
-                              const WallShape& shape, Side side) {
-  return Fitter(quads, directions, shape, side).run();
+                              const WallShape& shape, Side side, bool for_core) {
+  return Fitter(quads, directions, shape, side, for_core).run();
 }
 
 }  // namespace hexwall

@@ -51,7 +51,7 @@ struct LumenResult {
 /// their caps; the additional zone `lumen_core` has pyramids and tetrahedra; with layers on both
 /// sides the regions `lumen` and `wall` share the face zone `interface`.
 /// Tet: patches `wall` (the quads, split) and those of the openings; zone `lumen_core`.
-/// \pre hybrid: `result` has layers on the inner side.
+/// \pre hybrid: `result` has layers on the inner side, with `leaves_room_for_core`.
 /// \throws UsageError if no opening has the name of the inlet; MeshingError, GeometryError, naming
 /// the place, if the core can't be filled.
 LumenResult make_lumen(const PipelineResult& result, const LumenOptions& options,

@@ -168,7 +168,7 @@ std::vector<Stress> stresses() {
   all.push_back({"curled", [] { return curled(0.1); }, 0.3, "out"});
   all.push_back({"curled", [] { return curled(0.1); }, 0.3, "both"});
   all.push_back({"curled", [] { return curled(1.0); }, 0.3, "both", Room::enough});
-  all.push_back({"stenosis", stenosis, 0.12, "in", Room::enough});
+  all.push_back({"stenosis", stenosis, 0.15, "in", Room::enough});
   all.push_back({"stenosis", stenosis, 0.4, "in"});
   all.push_back({"stenosis", stenosis, 0.4, "both"});
   all.push_back({"sac", sac_on_a_neck, 0.4, "out", Room::unknown});

@@ -29,6 +29,7 @@ PipelineResult tube_layers(bool with_wall = false) {
   options.size = 0.35;
   if (!with_wall) options.outward.reset();
   options.inward = LayerOptions{};
+  options.leaves_room_for_core = true;
   return run_pipeline(cylinder(1.0, 4.0, 40, 30), options);
 }
 
@@ -257,6 +258,7 @@ TEST(LumenOfAPlane, IsRefused) {
   options.size = 0.3;
   options.outward.reset();
   options.inward = LayerOptions{};
+  options.leaves_room_for_core = true;
   const PipelineResult layers = run_pipeline(annulus(1.0, 2.0, 40, 5), options);
   EXPECT_THROW(mesh_of(layers, LumenOptions::Mesh::hybrid), Error);
   EXPECT_THROW(mesh_of(layers, LumenOptions::Mesh::tet), Error);
