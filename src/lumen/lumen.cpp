@@ -20,6 +20,7 @@ namespace {
 
 constexpr int improvement_rounds = 6;
 constexpr double hybrid_core_growth = 0.2;
+constexpr double most_skewness = 4.0;  // OpenFOAM reports more
 
 std::vector<std::string> opening_names(const PipelineResult& r) {
   std::vector<std::string> names;
@@ -256,6 +257,25 @@ std::vector<CellQuality> qualities(const CellMesh& mesh) {
   return result;
 }
 
+// What OpenFOAM would complain of.
+void add_quality_warnings(LumenResult& r) {
+  for (std::size_t i = 0; i < r.quality.size(); ++i) {
+    const CellQuality& q = r.quality[i];
+    const std::string& region = r.mesh.regions[i].name;
+    const char* advice = "choose a smaller --size, --size-by radius, or thinner layers";
+    if (q.faces_above_70 > 0) {
+      r.warnings.push_back(fmt::format(
+          "{} faces of the {} have a non-orthogonality above 70 deg, the worst {:.1f} at {}: {}",
+          q.faces_above_70, region, q.non_orthogonality.value, coordinates(q.non_orthogonality.at),
+          advice));
+    }
+    if (q.skewness.value > most_skewness) {
+      r.warnings.push_back(fmt::format("the skewness of the {} reaches {:.2f} at {}: {}", region,
+                                       q.skewness.value, coordinates(q.skewness.at), advice));
+    }
+  }
+}
+
 }  // namespace
 
 LumenResult make_lumen(const PipelineResult& r, const LumenOptions& options,
@@ -286,6 +306,7 @@ LumenResult make_lumen(const PipelineResult& r, const LumenOptions& options,
   result.openings = measure_openings(result.mesh, r, options.inlet);
   result.counts = count_cells(result.mesh);
   result.quality = qualities(result.mesh);
+  add_quality_warnings(result);
   clock.end();
   result.times = clock.times();
   return result;
