@@ -23,12 +23,12 @@ run() {
   build/hexwall shear "$folder" -o "$folder"
 }
 
-for size in 2 1.5 1.1; do
+for size in 2.4 2 1.5; do
   run hybrid $size --layers 4 --growth 1.3 --thickness-ratio 0.3 --core-growth 0.5
 done
-for size in 1.5 1.1 0.9; do
+for size in 2 1.5 1.2; do
   run tet $size
 done
 python3 cases/gmsh_aneurysm_flow/compare.py "$out"
-xvfb-run -a build/hexwall-picture "$out/hybrid_1.1/wall.vtp" -o "$out/shear.png" --array wss \
+xvfb-run -a build/hexwall-picture "$out/hybrid_1.5/wall.vtp" -o "$out/shear.png" --array wss \
   --range 0,2 --view=0.2,-1,0.2 --size 1000x700

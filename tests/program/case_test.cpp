@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 using test::run_hexwall;
 
 std::string surface_in(const TemporaryFolder& folder) {
-  const std::string path = (folder / "bifurcation.stl").string();
+  std::string path = (folder / "bifurcation.stl").string();
   EXPECT_EQ(run_hexwall({"generate", "bifurcation", "-o", path}).exit_code, 0);
   return path;
 }
