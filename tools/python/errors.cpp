@@ -1,8 +1,8 @@
 #include "errors.h"
 
 #include <exception>
-#include <utility>
 #include <pybind11/pybind11.h>
+#include <utility>
 
 #include "core/cancel.h"
 #include "core/errors.h"
