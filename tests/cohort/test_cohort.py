@@ -67,6 +67,7 @@ class InFolder(unittest.TestCase):
     def run_workflow(self, surfaces, fails=False, **config):
         done = subprocess.run(
             self.command(surfaces, **config),
+            cwd=self.folder,
             stdout=subprocess.PIPE,
             stderr=subprocess.STDOUT,
             text=True,
@@ -237,6 +238,7 @@ class Slurm(InFolder):
                 [*self.command(surfaces, "slurm", hexwall=program), "--latency-wait", "5"],
                 stdout=log,
                 stderr=subprocess.STDOUT,
+                cwd=self.folder,
                 env=node.environment(),
             )
         try:

@@ -2,16 +2,16 @@
 
 #include <exception>
 #include <filesystem>
-#include <iostream>
-#include <stop_token>
-#include <string>
-
 #include <hexwall/core/cancel.h>
 #include <hexwall/core/errors.h>
 #include <hexwall/exporters/gmsh.h>
 #include <hexwall/pipeline.h>
 #include <hexwall/report.h>
 #include <hexwall/surface/generate.h>
+#include <iostream>
+#include <stop_token>
+#include <string>
+
 #include <nlohmann/json.hpp>
 
 namespace {
