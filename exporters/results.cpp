@@ -17,19 +17,6 @@ constexpr int kind_zero = 0;
 constexpr int kind_horizontal = 1;
 constexpr int kind_vertical = 2;
 
-// Triangles with three points of their own, so that values may jump between triangles.
-PolyData separate_triangles(const TriangleSurface& surface) {
-  PolyData data;
-  data.points.reserve(3 * surface.triangles.size());
-  data.polygons.reserve(surface.triangles.size(), 3);
-  for (const auto& triangle : surface.triangles) {
-    const int first = static_cast<int>(data.points.size());
-    for (const int v : triangle) data.points.push_back(surface.points[v]);
-    data.polygons.add(std::array{first, first + 1, first + 2});
-  }
-  return data;
-}
-
 std::vector<double> at_corners(const TriangleSurface& surface, const Eigen::VectorXd& values) {
   std::vector<double> result;
   result.reserve(3 * surface.triangles.size());
@@ -102,7 +89,30 @@ std::vector<DataArray> repeated_for_levels(std::vector<DataArray> arrays, std::s
   return arrays;
 }
 
+std::vector<double> interleaved(const std::vector<double>& x, const std::vector<double>& y) {
+  std::vector<double> pairs;
+  pairs.reserve(2 * x.size());
+  for (std::size_t c = 0; c < x.size(); ++c) pairs.insert(pairs.end(), {x[c], y[c]});
+  return pairs;
+}
+
 }  // namespace
+
+PolyData separate_triangles(const TriangleSurface& surface) {
+  PolyData data;
+  data.points.reserve(3 * surface.triangles.size());
+  data.polygons.reserve(surface.triangles.size(), 3);
+  for (const auto& triangle : surface.triangles) {
+    const int first = static_cast<int>(data.points.size());
+    for (const int v : triangle) data.points.push_back(surface.points[v]);
+    data.polygons.add(std::array{first, first + 1, first + 2});
+  }
+  return data;
+}
+
+std::vector<double> form_at_corners(const FormSolution& s, const HolomorphicForm& form) {
+  return interleaved(integrate(s.connectivity, form.dx), at_corners(s.refined.surface, form.y));
+}
 
 PolyData surface_data(const PipelineResult& r) {
   const TriangleSurface& surface = r.solution.refined.surface;
@@ -187,9 +197,7 @@ PolyData basis_data(const PipelineResult& r) {
     const std::string loop = loop_name(r, r.solution.basis.loop(i));
     std::vector<double> x = integrate(r.solution.connectivity, r.solution.basis.omega_form(i));
     const std::vector<double> y = at_corners(surface, g.col(i));
-    std::vector<double> phi;
-    phi.reserve(2 * x.size());
-    for (std::size_t c = 0; c < x.size(); ++c) phi.insert(phi.end(), {x[c], y[c]});
+    std::vector<double> phi = interleaved(x, y);
     data.point_arrays.push_back({"f_" + loop, 1, at_corners(surface, r.solution.basis.f.col(i))});
     data.point_arrays.push_back({"omega_" + loop, 1, std::move(x)});
     data.point_arrays.push_back({"phi_" + loop, 2, std::move(phi)});
@@ -198,7 +206,7 @@ PolyData basis_data(const PipelineResult& r) {
   return data;
 }
 
-void write_wall(const std::filesystem::path& path, const PipelineResult& r) {
+std::vector<DataArray> wall_cell_arrays(const PipelineResult& r) {
   std::vector<int> cylinder;
   std::vector<int> patch;
   std::vector<int> extension;
@@ -207,12 +215,18 @@ void write_wall(const std::filesystem::path& path, const PipelineResult& r) {
     cylinder.push_back(r.quads.cylinder[quad]);
     patch.push_back(r.quads.patch[quad]);
   }
-  write_vtu(path, r.wall,
-            {{"cylinder", 1, std::move(cylinder)},
-             {"extension", 1, std::move(extension)},
-             {"patch", 1, std::move(patch)},
-             {"scaled_jacobian", 1, r.wall_scaled_jacobian}},
-            repeated_for_levels(thickness_arrays(r), r.layers.levels.size()));
+  return {{"cylinder", 1, std::move(cylinder)},
+          {"extension", 1, std::move(extension)},
+          {"patch", 1, std::move(patch)},
+          {"scaled_jacobian", 1, r.wall_scaled_jacobian}};
+}
+
+std::vector<DataArray> wall_point_arrays(const PipelineResult& r) {
+  return repeated_for_levels(thickness_arrays(r), r.layers.levels.size());
+}
+
+void write_wall(const std::filesystem::path& path, const PipelineResult& r) {
+  write_vtu(path, r.wall, wall_cell_arrays(r), wall_point_arrays(r));
 }
 
 }  // namespace hexwall

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <vector>
 
 #include "exporters/vtk_files.h"
 #include "pipeline.h"
@@ -20,6 +21,19 @@ PolyData quad_data(const PipelineResult& result);
 
 /// `basis.vtp`: f_i, omega_i (integrated) and phi_i = (x_i, y_i) of every basis form.
 PolyData basis_data(const PipelineResult& result);
+
+/// Arrays on the hexes of `wall.vtu`: cylinder, extension, patch, scaled Jacobian.
+std::vector<DataArray> wall_cell_arrays(const PipelineResult& result);
+
+/// Arrays on its points: local radius, thickness asked and given.
+std::vector<DataArray> wall_point_arrays(const PipelineResult& result);
+
+/// Triangles with three points of their own, so that values may jump between triangles.
+PolyData separate_triangles(const TriangleSurface& surface);
+
+/// (x, y) of a form at the corners of all triangles, x integrated from triangle to triangle: it
+/// jumps by periods only. 6 #F.
+std::vector<double> form_at_corners(const FormSolution& solution, const HolomorphicForm& form);
 
 /// `wall.vtu`: the hexes with layer, zone, cylinder, patch and scaled Jacobian.
 void write_wall(const std::filesystem::path& path, const PipelineResult& result);

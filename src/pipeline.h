@@ -55,6 +55,7 @@ struct PipelineOptions {
   std::optional<LayerOptions> outward = LayerOptions{};  ///< wall; 10 % of the mean radius thick
   std::optional<LayerOptions> inward;  ///< into the lumen; 15 % of the local radius thick
   bool thickness_strict = false;       ///< refuse where the layers have to be thinner than asked
+  bool leaves_room_for_core = false;   ///< layers in the lumen let its core be filled
   double relax = 0.5;                  ///< 0 conformal sizes … 1 even sizes
   PoleRequest poles;
 };

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
+#include <utility>
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
@@ -11,6 +13,7 @@
 #include "core/parallel.h"
 #include "foliation/local_radius.h"
 #include "hex/directions.h"
+#include "hex/even_out.h"
 #include "hex/quality.h"
 
 namespace hexwall {
@@ -153,65 +156,105 @@ std::vector<Vec3> find_directions(PipelineResult& r, const std::vector<SurfacePo
   return directions;
 }
 
-// Thickness that fits on each side.
-WallShape fit_sides(PipelineResult& r, const std::vector<SurfacePoint>& places,
-                    const std::vector<Vec3>& directions) {
-  WallShape shape = shape_of(r, places);
-  if (r.options.outward) {
-    r.outward = fit_thickness(r.quads, directions, shape, Side::outward);
-    shape.outward = r.outward->given;
-  }
-  if (r.options.inward) {
-    r.inward = fit_thickness(r.quads, directions, shape, Side::inward);
-    shape.inward = r.inward->given;
-  }
-  return shape;
-}
+/// Quads and directions, and the thickness that fits them.
+struct WallFit {
+  QuadMesh quads;
+  std::vector<SurfacePoint> places;
+  std::vector<Vec3> directions;
+  WallShape shape;
+  std::optional<ThicknessResult> outward, inward;
+  int columns_without_face_tets = 0;
+  int evened_vertices = 0;
 
-int columns_without_face_tets(const QuadMesh& quads, const std::vector<Vec3>& directions,
-                              const WallShape& shape) {
-  std::vector<char> lacks(quads.quads.size());
+  double reduced_area_fraction() const {
+    return (outward ? outward->reduced_area_fraction : 0.0) +
+           (inward ? inward->reduced_area_fraction : 0.0);
+  }
+};
+
+int columns_without_face_tets(const WallFit& fit) {
+  std::vector<char> lacks(fit.quads.quads.size());
   parallel_for(lacks.size(), [&](std::size_t q) {
-    const Column column = column_of(quads, static_cast<int>(q), directions, shape);
-    lacks[q] = has_face_tets(column, shape.plan.levels) ? 0 : 1;
+    const Column column = column_of(fit.quads, static_cast<int>(q), fit.directions, fit.shape);
+    lacks[q] = has_face_tets(column, fit.shape.plan.levels) ? 0 : 1;
   });
   return static_cast<int>(std::count(lacks.begin(), lacks.end(), 1));
 }
 
+double least_jacobian(const WallFit& fit) {
+  double least = 1.0;
+  for (std::size_t q = 0; q < fit.quads.quads.size(); ++q) {
+    const Column column = column_of(fit.quads, static_cast<int>(q), fit.directions, fit.shape);
+    least = std::min(least, scaled_jacobian(column, fit.shape.plan.levels));
+  }
+  return least;
+}
+
+// Thickness that fits on each side, up to what is asked.
+void fit_sides(const PipelineResult& r, WallFit& fit) {
+  fit.shape = shape_of(r, fit.places);
+  if (r.options.outward) {
+    fit.outward = fit_thickness(fit.quads, fit.directions, fit.shape, Side::outward);
+    fit.shape.outward = fit.outward->given;
+  }
+  if (r.options.inward) {
+    fit.inward = fit_thickness(fit.quads, fit.directions, fit.shape, Side::inward,
+                               r.options.leaves_room_for_core);
+    fit.shape.inward = fit.inward->given;
+  }
+  fit.columns_without_face_tets = columns_without_face_tets(fit);
+}
+
 // Evens out poor columns and fits the thickness; again while faces of a few columns cannot be
 // split.
-WallShape even_out_and_fit(PipelineResult& r, std::vector<SurfacePoint>& places,
-                           std::vector<Vec3>& directions, const SurfaceProjector& projector) {
-  WallShape shape = shape_of(r, places);
+WallFit even_out_and_fit(const PipelineResult& r, WallFit fit, const SurfaceProjector& projector) {
+  fit.shape = shape_of(r, fit.places);
   for (int round = 0;; ++round) {
     const double face_tets = round / double{most_fits};
-    r.evened_vertices += even_out(r.quads, places, directions, projector, shape, face_tets);
-    shape = fit_sides(r, places, directions);
-    r.columns_without_face_tets = columns_without_face_tets(r.quads, directions, shape);
-    if (round == most_fits || r.columns_without_face_tets == 0 ||
-        r.columns_without_face_tets > most_lacking * static_cast<double>(r.quads.quads.size())) {
-      return shape;
+    fit.evened_vertices +=
+        even_out(fit.quads, fit.places, fit.directions, projector, fit.shape, face_tets);
+    fit_sides(r, fit);
+    if (round == most_fits || fit.columns_without_face_tets == 0 ||
+        fit.columns_without_face_tets >
+            most_lacking * static_cast<double>(fit.quads.quads.size())) {
+      return fit;
     }
   }
 }
 
+// Raises the worst columns further, if that costs neither thickness nor faces that can be split.
+WallFit raise_worst(const PipelineResult& r, WallFit fit, const SurfaceProjector& projector) {
+  WallFit raised = fit;
+  raised.evened_vertices +=
+      even_out_worst(raised.quads, raised.places, raised.directions, projector, raised.shape);
+  if (raised.evened_vertices == fit.evened_vertices) return fit;
+  fit_sides(r, raised);
+  const bool is_better = raised.columns_without_face_tets <= fit.columns_without_face_tets &&
+                         raised.reduced_area_fraction() <= fit.reduced_area_fraction() &&
+                         least_jacobian(raised) > least_jacobian(fit);
+  return is_better ? raised : fit;
+}
+
 // Where the quads are far too large for the surface, evening out may fold them.
-WallShape find_thickness(PipelineResult& r, std::vector<SurfacePoint>& places,
-                         std::vector<Vec3>& directions, const SurfaceProjector& projector) {
-  const QuadMesh quads = r.quads;
-  const std::vector<SurfacePoint> places_before = places;
-  const std::vector<Vec3> directions_before = directions;
+WallFit find_thickness(const PipelineResult& r, const WallFit& start,
+                       const SurfaceProjector& projector) {
   try {
-    return even_out_and_fit(r, places, directions, projector);
+    return raise_worst(r, even_out_and_fit(r, start, projector), projector);
   } catch (const MeshingError&) {
-    r.quads = quads;
-    places = places_before;
-    directions = directions_before;
-    r.evened_vertices = 0;
+    WallFit fit = start;
+    fit_sides(r, fit);
+    return fit;
   }
-  WallShape shape = fit_sides(r, places, directions);
-  r.columns_without_face_tets = columns_without_face_tets(r.quads, directions, shape);
-  return shape;
+}
+
+// Quads, places and thickness of the wall become those of the fit.
+void take_over(WallFit& fit, PipelineResult& r, std::vector<SurfacePoint>& places) {
+  r.quads = std::move(fit.quads);
+  places = std::move(fit.places);
+  r.outward = std::move(fit.outward);
+  r.inward = std::move(fit.inward);
+  r.columns_without_face_tets = fit.columns_without_face_tets;
+  r.evened_vertices = fit.evened_vertices;
 }
 
 void check_strictness(const PipelineResult& r, const ThicknessResult& result,
@@ -254,16 +297,17 @@ void make_wall(PipelineResult& r, std::vector<SurfacePoint>& places,
   fill_in_defaults(r);
   r.layers = plan_layers(groups_of(r.options.outward, "layer_"),
                          groups_of(r.options.inward, "lumen_layer_"));
-  WallShape shape = shape_of(r, places);
+  const WallShape shape = shape_of(r, places);
   std::vector<Vec3> directions = find_directions(r, places, shape);
   r.polishing = polish(r.quads, places, directions, projector, shape);
-  shape = find_thickness(r, places, directions, projector);
+  WallFit fit = find_thickness(r, {r.quads, places, directions, shape, {}, {}}, projector);
+  take_over(fit, r, places);
   check_strictness(r);
   r.target_edge = target_edges(r, places);
   r.quad_quality = quad_quality(r.quads, r.target_edge);
   std::vector<std::string> names;
   for (const Opening& opening : r.openings) names.push_back(opening.name);
-  r.wall = extrude(r.quads, directions, names, shape);
+  r.wall = extrude(r.quads, fit.directions, names, fit.shape);
   r.wall_scaled_jacobian = scaled_jacobians(r.wall);
   r.min_wall_scaled_jacobian =
       *std::min_element(r.wall_scaled_jacobian.begin(), r.wall_scaled_jacobian.end());

@@ -1,5 +1,6 @@
 #include "warnings.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -9,6 +10,10 @@ namespace {
 
 // Chords of a circle of 16 quads miss 0.6 % of it: more than this is a missing piece of surface.
 constexpr double noticeable_missing_area = 0.02;
+// Rims off their planes by less, relative to their radii, look flat.
+constexpr double noticeable_deviation = 0.01;
+// Solvers of every kind are at ease above this scaled Jacobian.
+constexpr double poor_quad = 0.2;
 
 void add_thickness_warning(PipelineResult& r, const ThicknessResult& side,
                            const std::string& what) {
@@ -26,7 +31,7 @@ void add_thickness_warning(PipelineResult& r, const ThicknessResult& side,
 
 void add_warnings(PipelineResult& r) {
   for (const Opening& opening : r.openings) {
-    if (opening.plane.is_planar()) continue;
+    if (opening.plane.deviation < noticeable_deviation * opening.plane.radius) continue;
     r.warnings.push_back(fmt::format(
         "{} at ({:.6g}, {:.6g}, {:.6g}) is not planar (off by {:.3g}): its end ring is not flat",
         opening.name, opening.plane.center.x(), opening.plane.center.y(), opening.plane.center.z(),
@@ -51,6 +56,17 @@ void add_warnings(PipelineResult& r) {
         "dome) is cut off; the largest quad, at ({:.6g}, {:.6g}, {:.6g}), is {:.3g} wide",
         100.0 * missing_area, corners[0].x(), corners[0].y(), corners[0].z(),
         std::sqrt(0.5 * doubled_area_vector(corners).norm())));
+  }
+  const std::vector<double>& jacobians = r.quad_quality.scaled_jacobian;
+  const auto worst = std::min_element(jacobians.begin(), jacobians.end());
+  if (*worst < poor_quad) {
+    const Vec3 at = corners_of(r.quads, static_cast<int>(worst - jacobians.begin()))[0];
+    r.warnings.push_back(fmt::format(
+        "{} quads are badly shaped, with a scaled Jacobian below {}, the worst of {:.3g} at "
+        "({:.6g}, {:.6g}, {:.6g}): they are too large for the surface there. Choose a smaller "
+        "--size",
+        std::count_if(jacobians.begin(), jacobians.end(), [](double j) { return j < poor_quad; }),
+        poor_quad, *worst, at.x(), at.y(), at.z()));
   }
   if (r.columns_without_face_tets > 0) {
     r.warnings.push_back(fmt::format(

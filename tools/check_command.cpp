@@ -12,7 +12,6 @@
 
 #include "exporters/output_file.h"
 #include "exporters/vtk_files.h"
-#include "input_options.h"
 #include "output_folder.h"
 #include "report.h"
 #include "surface/check.h"
@@ -22,13 +21,6 @@ namespace hexwall {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// Options of the command.
-struct CheckOptions {
-  InputOptions input;
-  std::string output;  ///< folder for check.json, problems.vtp, prepared.vtp; empty: none
-  bool json = false;   ///< print JSON instead of words
-};
 
 /// What is known of a surface in the end.
 struct Diagnosis {
@@ -51,10 +43,9 @@ std::vector<std::string> notes_before_refusal(const ReadResult& read,
   }
 }
 
-Diagnosis diagnose(const CheckOptions& command) {
+Diagnosis diagnose(ReadResult read, const PrepareOptions& options) {
   Diagnosis d;
-  const PrepareOptions options = prepare_options(command.input);
-  d.read = read_surface(command.input.surface);
+  d.read = std::move(read);
   d.problems = find_problems(d.read.surface);
   try {
     d.prepared = prepare_surface(d.read, options);
@@ -176,7 +167,8 @@ PolyData prepared_data(const PrepareResult& prepared) {
 }
 
 ExitCode run_check(const CheckOptions& command) {
-  const Diagnosis d = diagnose(command);
+  const PrepareOptions preparation = prepare_options(command.input);
+  const Diagnosis d = diagnose(read_surface(command.input.surface), preparation);
   const std::string json = to_json(command, d).dump(2) + "\n";
   if (!command.output.empty()) {
     OutputFolder folder(command.output);
@@ -195,15 +187,24 @@ ExitCode run_check(const CheckOptions& command) {
 
 }  // namespace
 
+void add_check_options(CLI::App& check, CheckOptions& command) {
+  add_input_options(check, command.input);
+  check.add_option("-o,--output", command.output,
+                   "Folder for check.json, problems.vtp (a point at each problem) and "
+                   "prepared.vtp (the surface that would be meshed)");
+  check.add_flag("--json", command.json, "Print JSON instead of words");
+}
+
+nlohmann::ordered_json check_report(const CheckOptions& options, const PrepareOptions& preparation,
+                                    ReadResult read) {
+  return to_json(options, diagnose(std::move(read), preparation));
+}
+
 Command add_check(CLI::App& app) {
   CLI::App* check = app.add_subcommand(
       "check", "Say what is wrong with a surface, and what would be done about it");
   const auto command = std::make_shared<CheckOptions>();
-  add_input_options(*check, command->input);
-  check->add_option("-o,--output", command->output,
-                    "Folder for check.json, problems.vtp (a point at each problem) and "
-                    "prepared.vtp (the surface that would be meshed)");
-  check->add_flag("--json", command->json, "Print JSON instead of words");
+  add_check_options(*check, *command);
   return {check, [command] { return run_check(*command); }};
 }
 

@@ -34,10 +34,6 @@ check() {
   exit 1
 }
 
-picture() {
-  xvfb-run -a build/hexwall-picture "$@"
-}
-
 tools/setup.sh
 cmake --preset release
 cmake --build --preset release --target hexwall hexwall-picture
@@ -45,18 +41,15 @@ cmake --build --preset release --target hexwall hexwall-picture
 mkdir -p "$demo"
 [[ -f $packed ]] || unpack_from_package
 gzip -dc "$packed" > "$surface"
-build/hexwall mesh "$surface" -o "$mesh" --size 0.8
+build/hexwall mesh "$surface" -o "$mesh" --size 0.8 --pictures
 check
-
-picture "$mesh/quads.vtp" -o "$demo/quads.png" --edges
-picture "$mesh/wall.vtu" -o "$demo/wall.png" --edges --array layer
-picture "$mesh/surface.vtp" -o "$demo/surface.png" --texture checkerboard \
-  --lines "$mesh/critical.vtp"
 
 cat << END
 
 Mesh OK, says checkMesh: $mesh/checkMesh.log
 
+Open in a browser:
+  $PWD/$mesh/report.html    numbers, pictures, a 3-D view (with Node.js at build time)
 Open in ParaView:
   $PWD/$mesh/wall.vtu       the hexahedra: colour by layer, quad or zone
   $PWD/$mesh/quads.vtp      the quads
@@ -65,7 +58,5 @@ Open in ParaView:
 OpenFOAM case:
   $PWD/$mesh/openfoam
 Pictures:
-  $PWD/$demo/quads.png
-  $PWD/$demo/wall.png
-  $PWD/$demo/surface.png
+  $PWD/$mesh/pictures
 END

@@ -9,7 +9,8 @@ our_files() {
 }
 
 { our_files '*.h'; our_files '*.cpp'; } | xargs clang-format --dry-run -Werror
-shellcheck .ci/run tools/*.sh cases/*/*.sh
+shellcheck .ci/run tools/*.sh cases/*/*.sh tests/*/*.sh tools/package/{postinst,prerm} \
+  tools/cohort/profiles/*/*.sh
 [[ -f build/compile_commands.json ]] || cmake --preset release > /dev/null
 
 # Only what is compiled can be checked; headers are checked where they are included.

@@ -18,6 +18,10 @@
 namespace hexwall {
 namespace {
 
+// Shares of the time, of that of the surface and its layers together.
+const std::vector<ProgressStage> lumen_stages{
+    {"caps", 0.1}, {"tetrahedra", 1.0}, {"improve", 2.0}, {"judge", 0.2}};
+
 namespace fs = std::filesystem;
 
 struct LumenCommand {
@@ -41,7 +45,8 @@ void check_options(const LumenCommandOptions& c) {
   if (c.first_height && !(*c.first_height > 0.0)) {
     throw UsageError("--first-height must be a positive length");
   }
-  if (c.lumen.core_growth < 0.0) throw UsageError("--core-growth must not be negative");
+  if (c.lumen.core_growth.value_or(0.0) < 0.0)
+    throw UsageError("--core-growth must not be negative");
 }
 
 // The thickness of all layers from the height of the first.
@@ -117,9 +122,10 @@ void add_lumen_options(CLI::App& command, LumenCommandOptions& c) {
                   "Height of the layer at the wall, instead of a thickness, in input units")
       ->group(group);
   command
-      .add_option("--core-growth", c.lumen.core_growth,
-                  "Edges of tetrahedra grow by this share of the distance from the layers")
-      ->capture_default_str()
+      .add_option(
+          "--core-growth", c.lumen.core_growth,
+          "Edges of tetrahedra grow by this share of the distance from the wall or its layers "
+          "[hybrid: 0.2; tet: 0]")
       ->group(group);
   command
       .add_option("--inlet", c.lumen.inlet, "Name of the opening that is the inlet [the largest]")
@@ -129,14 +135,18 @@ void add_lumen_options(CLI::App& command, LumenCommandOptions& c) {
 LumenRun run_lumen(const LumenCommandOptions& c) {
   check_options(c);
   LumenRun run;
-  run.surface = run_surface(c.surface, [&](PipelineOptions& o) { set_first_height(c, o); });
-  ProgressDisplay progress(!c.surface.quiet);
+  ProgressDisplay progress(!c.surface.quiet, lumen_stages);
+  run.surface = run_surface(
+      c.surface,
+      [&](PipelineOptions& o) {
+        set_first_height(c, o);
+        o.leaves_room_for_core = true;
+      },
+      &progress);
   LumenOptions options = c.lumen;
   options.mesh = is_hybrid(c) ? LumenOptions::Mesh::hybrid : LumenOptions::Mesh::tet;
-  run.lumen = make_lumen(
-      run.surface.result, options,
-      [&](const std::string& stage, int index, int count) { progress.show(stage, index, count); });
-  progress.finish();
+  run.lumen = make_lumen(run.surface.result, options,
+                         [&](const std::string& stage, int, int) { progress.begin(stage); });
   return run;
 }
 

@@ -18,16 +18,22 @@
 
 #include "case_command.h"
 #include "check_command.h"
+#include "compare_command.h"
 #include "generate_command.h"
+#include "interrupt.h"
 #include "lumen_command.h"
 #include "mesh_command.h"
+#include "quality_command.h"
+#include "reference_command.h"
 #include "report.h"
 #include "shear_command.h"
+#include "view_command.h"
 
 namespace hexwall {
 namespace {
 
 int fail(ExitCode code, const std::string& message) {
+  wait_if_interrupted();
   fmt::print(stderr, "hexwall: error: {}\n", message);
   return static_cast<int>(code);
 }
@@ -51,10 +57,11 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   app.footer(
       "Exit codes: 0 success, 1 internal error, 2 command line, 3 unreadable input,\n"
-      "4 topology of the surface, 5 geometry of the surface, 6 no valid mesh, 7 output.");
+      "4 topology of the surface, 5 geometry of the surface, 6 no valid mesh, 7 output,\n"
+      "8 a condition of 'quality --fail-if' holds, 130 stopped by Ctrl-C.");
   const std::vector<Command> commands{
-      add_mesh(app),  add_case(app),  add_shear(app),
-      add_lumen(app), add_check(app), add_generate(app),
+      add_mesh(app),  add_lumen(app),   add_compare(app), add_case(app),     add_shear(app),
+      add_check(app), add_quality(app), add_view(app),    add_generate(app), add_reference(app),
   };
   try {
     app.parse(argc, argv);
@@ -71,5 +78,6 @@ int run(int argc, char** argv) {
 }  // namespace hexwall
 
 int main(int argc, char** argv) {
+  hexwall::handle_interrupts();
   return hexwall::run(argc, argv);
 }

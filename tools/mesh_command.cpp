@@ -4,26 +4,24 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "exporters/formats.h"
 #include "exporters/output_file.h"
+#include "exporters/report_page.h"
 #include "exporters/results.h"
 #include "output_folder.h"
-#include "surface_command.h"
+#include "pictures.h"
+#include "view_script.h"
 
 namespace hexwall {
 namespace {
 
 namespace fs = std::filesystem;
-
-struct MeshOptions {
-  SurfaceCommandOptions surface;
-  std::vector<std::string> write{"vtu", "openfoam"};
-  bool write_basis = false;
-};
 
 std::vector<std::string> format_names() {
   std::vector<std::string> names;
@@ -46,37 +44,89 @@ void write_results(const MeshOptions& c, const PipelineResult& result, const fs:
   }
 }
 
+std::vector<ProgressStage> stages_of_writing(bool pictures) {
+  std::vector<ProgressStage> stages{{"write", 0.12}};
+  if (pictures) stages.push_back({"pictures", 1.0});
+  return stages;
+}
+
+// Into the folder `pictures`, by way of a hidden one.
+PictureResult write_pictures(const PipelineResult& result, const fs::path& folder,
+                             ProgressDisplay& progress) {
+  const fs::path meanwhile = folder / ".pictures";
+  PictureResult taken = take_pictures(meanwhile, result, [&](int index, int count) {
+    progress.detail(fmt::format("{} of {}", index + 1, count));
+  });
+  fs::remove_all(meanwhile);
+  for (const PagePicture& picture : taken.pictures) {
+    fs::create_directories(folder / "pictures");
+    write_output_file(folder / "pictures" / (picture.name + ".png"), picture.png);
+  }
+  return taken;
+}
+
 ExitCode run_mesh(const MeshOptions& c) {
   spdlog::logger log = make_logger(c.surface);
   const auto limit = limit_threads(c.surface);
   OutputFolder folder(c.surface.output);
-  SurfaceRun run = run_surface(c.surface);
-  run.context.io_times.push_back(
-      {"write", timed([&] { write_results(c, run.result, folder.staging()); })});
-  run.context.prepared = &run.prepared;
-  write_output_file(folder.staging() / "report.json",
-                    make_report(run.result, run.context).dump(2) + "\n");
+  ProgressDisplay progress(!c.surface.quiet, stages_of_writing(c.pictures));
+  SurfaceRun run = run_surface(c.surface, {}, &progress);
+  const std::string note = write_mesh_results(c, run, folder.staging(), progress);
   folder.commit();
+  progress.finish();
   log_notes(log, run.prepared);
   log.info("{}  {:<10} {}", summary(run.result, c.surface.input.units), "results",
            folder.path().string());
+  if (!note.empty()) log.warn("  {:<10} {}", "note", note);
   log_times(log, run);
   return ExitCode::success;
 }
 
 }  // namespace
 
-Command add_mesh(CLI::App& app) {
-  CLI::App* mesh = app.add_subcommand("mesh", "Mesh the wall of a vessel with hexahedra");
-  const auto c = std::make_shared<MeshOptions>();
-  add_surface_options(*mesh, c->surface);
-  add_layer_options(*mesh, c->surface.layers);
-  mesh->add_option("--write", c->write, "Hex mesh formats, separated by commas")
+void add_mesh_options(CLI::App& mesh, MeshOptions& c) {
+  add_surface_options(mesh, c.surface);
+  add_layer_options(mesh, c.surface.layers);
+  mesh.add_option("--write", c.write, "Hex mesh formats, separated by commas")
       ->delimiter(',')
       ->check(CLI::IsMember(format_names()))
       ->capture_default_str();
-  mesh->add_flag("--write-basis", c->write_basis,
-                 "Also write basis.vtp: every basis form as texture coordinates");
+  mesh.add_flag("--write-basis", c.write_basis,
+                "Also write basis.vtp: every basis form as texture coordinates");
+  auto* no_report = mesh.add_flag("--no-report", c.no_report, "Don't write report.html");
+  mesh.add_flag("--pictures", c.pictures,
+                "Take pictures: PNG files in DIR/pictures, and in the report")
+      ->excludes(no_report);
+}
+
+std::string write_mesh_results(const MeshOptions& c, SurfaceRun& run, const fs::path& folder,
+                               ProgressDisplay& progress) {
+  std::vector<StageTime>& times = run.context.io_times;
+  progress.begin("write");
+  times.push_back({"write", timed([&] { write_results(c, run.result, folder); })});
+  PageParts parts;
+  parts.view_script = view_script();
+  if (c.pictures) {
+    progress.begin("pictures");
+    PictureResult taken;
+    times.push_back(
+        {"pictures", timed([&] { taken = write_pictures(run.result, folder, progress); })});
+    parts.pictures = std::move(taken.pictures);
+    parts.pictures_note = std::move(taken.reason);
+  }
+  run.context.prepared = &run.prepared;
+  const auto report = make_report(run.result, run.context);
+  write_output_file(folder / "report.json", report.dump(2) + "\n");
+  if (!c.no_report) {
+    write_output_file(folder / "report.html", report_page(run.result, report, parts));
+  }
+  return parts.pictures_note;
+}
+
+Command add_mesh(CLI::App& app) {
+  CLI::App* mesh = app.add_subcommand("mesh", "Mesh the wall of a vessel with hexahedra");
+  const auto c = std::make_shared<MeshOptions>();
+  add_mesh_options(*mesh, *c);
   return {mesh, [c] { return run_mesh(*c); }};
 }
 

@@ -25,6 +25,15 @@ fs::path topmost_missing(const fs::path& folder) {
   return missing;
 }
 
+// Others may still be writing into the folder: what they make meanwhile is removed as well.
+void remove_while_in_use(const fs::path& folder) {
+  constexpr int most_attempts = 100;
+  for (int i = 0; i < most_attempts && fs::exists(folder); ++i) {
+    std::error_code ignored;
+    fs::remove_all(folder, ignored);
+  }
+}
+
 }  // namespace
 
 OutputFolder::OutputFolder(const fs::path& folder)
@@ -38,9 +47,14 @@ OutputFolder::OutputFolder(const fs::path& folder)
     if (!first_created_.empty()) fs::remove_all(first_created_, ignored);
     fail(folder_, error);
   }
+  cleanup_.emplace([staging = staging_, created = first_created_] {
+    remove_while_in_use(staging);
+    if (!created.empty()) remove_while_in_use(created);
+  });
 }
 
 OutputFolder::~OutputFolder() {
+  cleanup_.reset();
   std::error_code ignored;
   fs::remove_all(staging_, ignored);
   if (!first_created_.empty()) fs::remove_all(first_created_, ignored);
@@ -51,6 +65,7 @@ void OutputFolder::commit() {
   for (const auto& entry : fs::recursive_directory_iterator(staging_)) {
     if (!entry.is_directory()) files.push_back(entry.path());
   }
+  const auto uninterrupted = hold_interrupts();
   first_created_.clear();
   for (const fs::path& file : files) {
     const fs::path target = folder_ / fs::relative(file, staging_);

@@ -3,6 +3,7 @@
 #include <charconv>
 #include <chrono>
 #include <filesystem>
+#include <utility>
 
 #include <fmt/format.h>
 #include <spdlog/sinks/stdout_sinks.h>
@@ -82,23 +83,34 @@ std::unique_ptr<tbb::global_control> limit_threads(const SurfaceCommandOptions& 
 }
 
 SurfaceRun run_surface(const SurfaceCommandOptions& c,
-                       const std::function<void(PipelineOptions&)>& adjust) {
-  ProgressDisplay progress(!c.quiet);
-  SurfaceRun run;
-  run.context = {c.input.surface, c.input.units, 0, 0, nullptr, {}};
+                       const std::function<void(PipelineOptions&)>& adjust,
+                       ProgressDisplay* shown) {
+  std::optional<ProgressDisplay> own;
+  ProgressDisplay& progress = shown != nullptr ? *shown : own.emplace(!c.quiet);
   const PrepareOptions preparation = prepare_options(c.input);
-  run.context.io_times.push_back(
-      {"read", timed([&] { run.read = read_surface(c.input.surface); })});
+  ReadResult read;
+  progress.begin("read");
+  const double seconds = timed([&] { read = read_surface(c.input.surface); });
+  progress.begin("prepare");
+  SurfaceRun run = mesh_surface(c, preparation, std::move(read), adjust,
+                                [&](const std::string& stage, int, int) { progress.begin(stage); });
+  run.context.io_times.insert(run.context.io_times.begin(), {"read", seconds});
+  return run;
+}
+
+SurfaceRun mesh_surface(const SurfaceCommandOptions& c, const PrepareOptions& preparation,
+                        ReadResult read, const std::function<void(PipelineOptions&)>& adjust,
+                        const ProgressCallback& progress) {
+  SurfaceRun run;
+  run.read = std::move(read);
+  run.context = {c.input.surface, c.input.units, 0, 0, nullptr, {}};
   run.context.vertices = static_cast<int>(run.read.surface.points.size());
   run.context.faces = static_cast<int>(run.read.surface.triangles.size());
   run.context.io_times.push_back(
       {"prepare", timed([&] { run.prepared = prepare_surface(run.read, preparation); })});
   PipelineOptions options = pipeline_options(c, run.read, run.prepared.surface);
   if (adjust) adjust(options);
-  run.result = run_pipeline(
-      run.prepared, options,
-      [&](const std::string& stage, int index, int count) { progress.show(stage, index, count); });
-  progress.finish();
+  run.result = run_pipeline(run.prepared, options, progress);
   return run;
 }
 

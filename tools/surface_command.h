@@ -16,6 +16,8 @@
 
 namespace hexwall {
 
+class ProgressDisplay;
+
 /// The options of every command that meshes a surface.
 struct SurfaceCommandOptions {
   InputOptions input;
@@ -46,9 +48,15 @@ struct SurfaceRun {
 };
 
 /// Reads, prepares and meshes the surface, and shows how far that is. `adjust` may change the
-/// options of the pipeline. \throws Error
+/// options of the pipeline. \param shown where it is shown, if more than this is. \throws Error
 SurfaceRun run_surface(const SurfaceCommandOptions& options,
-                       const std::function<void(PipelineOptions&)>& adjust = {});
+                       const std::function<void(PipelineOptions&)>& adjust = {},
+                       ProgressDisplay* shown = nullptr);
+
+/// The same for a surface that was read already. Shows nothing; `progress` may.
+SurfaceRun mesh_surface(const SurfaceCommandOptions& options, const PrepareOptions& preparation,
+                        ReadResult read, const std::function<void(PipelineOptions&)>& adjust = {},
+                        const ProgressCallback& progress = {});
 
 /// Where a command says what it did: nothing but errors with `--quiet`, times with `--verbose`.
 spdlog::logger make_logger(const SurfaceCommandOptions& options);

@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 
+#include "core/cancel.h"
 #include "core/tolerances.h"
 #include "surface/connectivity.h"
 #include "surface/editable_mesh.h"
@@ -29,6 +30,7 @@ class Refiner {
     split_chords();
     for (int h = 0; h < mesh_.halfedge_count(); ++h) push(h);
     while (!queue_.empty()) {
+      throw_if_cancelled();
       const int h = queue_.back();
       queue_.pop_back();
       queued_[h] = false;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/cancel.h"
+
 namespace hexwall {
 
 int Foliation::doubled_order() const {
@@ -26,6 +28,7 @@ int Foliation::corrected_arcs() const {
 }
 
 Foliation foliate(const Connectivity& mesh, const HolomorphicForm& form) {
+  throw_if_cancelled();
   Foliation result;
   result.ranks = level_ranks(mesh, form.y);
   result.graph = critical_graph(mesh, form, result.ranks);

@@ -94,17 +94,31 @@ bool has_face_tets(const Column& column, const std::vector<double>& levels) {
   return can_be_split(low, &center_below, nullptr);
 }
 
-double corner_deficit(const Column& column, const std::vector<double>& levels) {
+double corner_deficit(const Column& column, const std::vector<double>& levels, int squarings) {
   double sum = 0.0;
   for (const double level : levels) {
     const Face face = level_face(column, level);
     std::array<Vec3, 4> edge;
     for (int k = 0; k < 4; ++k) edge[k] = (face[(k + 1) % 4] - face[k]).normalized();
     for (int k = 0; k < 4; ++k) {
-      double power = 1.0 - edge[(k + 3) % 4].cross(edge[k]).dot(column.direction[k]);
-      for (int i = 0; i < 4; ++i) power *= power;
-      sum += power;
+      const double jacobian = edge[(k + 3) % 4].cross(edge[k]).dot(column.direction[k]);
+      sum += squared(1.0 - jacobian, squarings);
     }
+  }
+  return sum;
+}
+
+double squared(double x, int squarings) {
+  for (int i = 0; i < squarings; ++i) x *= x;
+  return x;
+}
+
+double skew(const Column& column) {
+  const auto& p = column.base;
+  double sum = 0.0;
+  for (int k = 0; k < 4; ++k) {
+    const Vec3 u = (p[(k + 1) % 4] - p[k]).normalized();
+    sum += squared(u.dot((p[(k + 3) % 4] - p[k]).normalized()), 1);
   }
   return sum;
 }

@@ -42,10 +42,16 @@ double face_split(const Column& column, const std::vector<double>& levels);
 /// those between layers towards both cells, the others towards the column's cell.
 bool has_face_tets(const Column& column, const std::vector<double>& levels);
 
-/// Sum of (1 - J)^16 over the corners of the base carried to each level, J the triple product of
-/// the unit edges and the direction there, of which the least is the column's scaled Jacobian. A
-/// smooth measure of how bad the worst are.
-double corner_deficit(const Column& column, const std::vector<double>& levels);
+/// Sum of (1 - J)^(2^squarings) over the corners of the base carried to each level, J the triple
+/// product of the unit edges and the direction there, of which the least is the column's scaled
+/// Jacobian. A smooth measure of how bad the worst are.
+double corner_deficit(const Column& column, const std::vector<double>& levels, int squarings);
+
+/// x^(2^squarings).
+double squared(double x, int squarings);
+
+/// Sum of the squared cosines of the corner angles of the base.
+double skew(const Column& column);
 
 /// Least triple product of the unit edges and the direction at the corners of the base: the scaled
 /// Jacobian in the limit of no thickness.

@@ -7,6 +7,9 @@
 
 #include <Eigen/Geometry>
 
+#include "core/cancel.h"
+#include "core/parallel.h"
+
 namespace hexwall {
 namespace {
 
@@ -16,6 +19,11 @@ constexpr double widest_tilt = 0.3;
 constexpr int step_directions = 8;
 // A smaller gain is not worth a step.
 constexpr double least_gain = 1e-6;
+// Faces that are split worse than this are so because the quads are warped by more than the layers
+// are high: only smaller quads or higher layers mend that.
+constexpr double hopeless_face_split = -4.0;
+// Beyond this share of columns with faces that cannot be split, no polishing of a few mends them.
+constexpr double most_badly_split = 0.02;
 
 }  // namespace
 
@@ -41,6 +49,7 @@ ColumnSearch::ColumnSearch(QuadMesh& quads, std::vector<SurfacePoint>& places,
 
 bool ColumnSearch::improve(int v, double step, const std::function<double(int)>& cost_around,
                            const std::function<bool(int)>& is_allowed) {
+  throw_if_cancelled();
   const SurfacePoint place = places_[v];
   const Vec3 direction = directions_[v];
   const Vec3 e1 = direction.unitOrthogonal();
@@ -85,6 +94,22 @@ void ColumnSearch::set(int v, const SurfacePoint& place, const Vec3& direction) 
   places_[v] = place;
   quads_.points[v] = place.position;
   directions_[v] = direction;
+}
+
+std::vector<char> hopeless_columns(const ColumnSearch& search) {
+  std::vector<char> is_hopeless(search.quads().quads.size());
+  std::vector<char> is_short(is_hopeless.size());
+  parallel_for(is_hopeless.size(), [&](std::size_t q) {
+    const Column column = search.column(static_cast<int>(q));
+    const double split = face_split(column, search.levels());
+    is_hopeless[q] = split < hopeless_face_split ? 1 : 0;
+    is_short[q] = split < 0.0 ? 1 : 0;
+  });
+  const auto short_count = static_cast<double>(std::count(is_short.begin(), is_short.end(), 1));
+  if (short_count > most_badly_split * static_cast<double>(is_short.size())) {
+    std::fill(is_hopeless.begin(), is_hopeless.end(), 1);
+  }
+  return is_hopeless;
 }
 
 }  // namespace hexwall

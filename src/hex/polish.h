@@ -24,12 +24,4 @@ PolishResult polish(QuadMesh& quads, std::vector<SurfacePoint>& places,
                     std::vector<Vec3>& directions, const SurfaceProjector& projector,
                     const WallShape& shape);
 
-/// Raises the worst hexes further: columns that are poor still are evened out together with the
-/// rings of quads around them, as eight quads that meet at a zero need room. Minimises the sum of a
-/// high power of what the corners of all hexes there lack, by the same search.
-/// \param shape the wall as it is. \param face_tets from 0 to 1: weight of faces that OpenFOAM can
-/// split (`has_face_tets`), at the cost of scaled Jacobians. \return vertices moved or turned.
-int even_out(QuadMesh& quads, std::vector<SurfacePoint>& places, std::vector<Vec3>& directions,
-             const SurfaceProjector& projector, const WallShape& shape, double face_tets);
-
 }  // namespace hexwall

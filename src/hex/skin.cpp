@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/cancel.h"
 #include "quad/boundary.h"
 #include "surface/self_intersection.h"
 
@@ -46,12 +47,14 @@ std::vector<int> Skin::quads_of(const std::vector<std::pair<int, int>>& pairs) c
 }
 
 std::vector<int> Skin::collisions(const std::vector<double>& thickness, int diagonal) {
+  throw_if_cancelled();
   move_to(thickness, diagonal);
   return quads_of(self_intersections(surface_));
 }
 
 std::vector<int> Skin::collisions(const std::vector<double>& thickness, int diagonal,
                                   const std::vector<int>& among) {
+  throw_if_cancelled();
   move_to(thickness, diagonal);
   std::vector<int> triangles;
   for (int i = 0; i < static_cast<int>(faces_.size()); ++i) {

@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
+#include "core/cancel.h"
 #include "core/errors.h"
 #include "core/parallel.h"
 #include "hex/skewness.h"
@@ -34,21 +35,24 @@ constexpr double slope_tolerance = 1e-12;
 // A vertex counts as reduced below this share of the thickness asked for.
 constexpr double reduced_below = 0.99;
 // Collisions are looked for at this multiple of the thickness: what passes leaves a gap, whichever
-// way a reader of the mesh splits the faces of the skin. Inside, the core of the lumen needs room.
-constexpr double clearance_outside = 1.05;
-constexpr double clearance_inside = 1.25;
-// Inside a bend layers get narrower towards the core: edges keep this share of their length, unless
-// that takes layers thinner than the other share of what was asked.
+// way a reader of the mesh splits the faces of the skin. The core of the lumen needs room.
+constexpr double clearance = 1.05;
+constexpr double clearance_for_core = 1.25;
+// Inside, layers get narrower in a bend and wider over a ridge: for a core that is to be filled,
+// edges towards it have a length between these shares of the wall's, unless that takes layers
+// thinner than the last of what was asked.
 constexpr double least_narrowing = 0.35;
-constexpr double least_ratio_for_narrowing = 0.1;
+constexpr double greatest_widening = 3.0;
+constexpr double least_ratio_for_width = 0.1;
 
 class Fitter {
  public:
   Fitter(const QuadMesh& quads, const std::vector<Vec3>& directions, const WallShape& shape,
-         Side side)
+         Side side, bool for_core)
       : quads_(quads),
         directions_(directions),
         side_(side),
+        for_core_(for_core && side == Side::inward),
         levels_(side == Side::outward ? shape.plan.outer_levels() : shape.plan.inner_levels()),
         edges_(edges_of(quads)),
         skin_(quads, directions, side),
@@ -112,19 +116,22 @@ class Fitter {
     const auto worst = std::min_element(bound_.begin(), bound_.end());
     if (*worst > 0.0) return;
     throw MeshingError(fmt::format(
-        "no wall can be extruded at {}: the surface is folded there. Smooth or remesh it, or "
-        "choose a smaller --size",
+        "no wall can be extruded at {}: a quad is folded there, which is too large for the "
+        "surface, or the surface itself is. Choose a smaller --size, or smooth or remesh the "
+        "surface",
         place_of(quads_.quads[worst - bound_.begin()][0])));
   }
 
-  bool is_too_narrow(std::size_t q, const Column& c) const {
-    if (side_ == Side::outward) return false;
+  bool is_narrowed_or_widened(std::size_t q, const Column& c) const {
+    if (!for_core_) return false;
     for (int k = 0; k < 4; ++k) {
       const int j = (k + 1) % 4;
-      if (c.inward[k] < least_ratio_for_narrowing * result_.asked[quads_.quads[q][k]]) continue;
+      if (c.inward[k] < least_ratio_for_width * result_.asked[quads_.quads[q][k]]) continue;
       const Vec3 edge = c.base[j] - c.base[k];
       const Vec3 inside = edge - c.inward[j] * c.direction[j] + c.inward[k] * c.direction[k];
-      if (inside.dot(edge) < least_narrowing * edge.squaredNorm()) return true;
+      const double length = edge.norm();
+      if (inside.dot(edge) < least_narrowing * length * length) return true;
+      if (inside.norm() > greatest_widening * length) return true;
     }
     return false;
   }
@@ -134,7 +141,7 @@ class Fitter {
     for (;;) {
       parallel_for(bad.size(), [&](std::size_t q) {
         const Column c = column(q);
-        bad[q] = scaled_jacobian(c, levels_) < bound_[q] || is_too_narrow(q, c) ? 1 : 0;
+        bad[q] = scaled_jacobian(c, levels_) < bound_[q] || is_narrowed_or_widened(q, c) ? 1 : 0;
       });
       std::vector<int> marked;
       for (std::size_t q = 0; q < bad.size(); ++q) {
@@ -163,9 +170,7 @@ class Fitter {
 
   std::vector<double> with_clearance() {
     std::vector<double> thickness = given();
-    for (double& t : thickness) {
-      t *= side_ == Side::outward ? clearance_outside : clearance_inside;
-    }
+    for (double& t : thickness) t *= for_core_ ? clearance_for_core : clearance;
     return thickness;
   }
 
@@ -233,6 +238,7 @@ class Fitter {
     std::vector<double>& t = given();
     for (bool changed = true; changed;) {
       changed = false;
+      throw_if_cancelled();
       for (std::size_t e = 0; e < edges_.size(); ++e) {
         const auto [a, b] = edges_[e];
         const double most = std::min(t[a], t[b]) + room_[e];
@@ -264,6 +270,7 @@ class Fitter {
   const QuadMesh& quads_;
   const std::vector<Vec3>& directions_;
   Side side_;
+  bool for_core_;
   std::vector<double> levels_;
   std::vector<std::array<int, 2>> edges_;
   std::vector<double> room_;  // #E greatest difference of thickness between the ends
@@ -277,8 +284,8 @@ class Fitter {
 }  // namespace
 
 ThicknessResult fit_thickness(const QuadMesh& quads, const std::vector<Vec3>& directions,
-                              const WallShape& shape, Side side) {
-  return Fitter(quads, directions, shape, side).run();
+                              const WallShape& shape, Side side, bool for_core) {
+  return Fitter(quads, directions, shape, side, for_core).run();
 }
 
 }  // namespace hexwall

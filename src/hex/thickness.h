@@ -27,15 +27,16 @@ struct ThicknessResult {
 ///
 /// It is reduced where a hex would have a corner of scaled Jacobian below 0.2, or below half of
 /// what it has in the limit of no thickness if that is less; and where the skin would meet itself,
-/// the surface or an end ring, with a clearance of 5 % of the thickness outside, 25 % inside; and,
-/// down to a fifth, where a face would be more skewed than OpenFOAM's checkMesh allows. Inside, the
-/// faces towards the core keep 35 % of the length of their edges. Reductions spread smoothly:
+/// the surface or an end ring, with a clearance of 5 % of the thickness; and, down to a fifth,
+/// where a face would be more skewed than OpenFOAM's checkMesh allows. Reductions spread smoothly:
 /// thickness changes along the surface by a slope of 0.3 at most, more only where that much was
-/// asked. No layer is ever dropped. \param directions #V unit vectors, outward. \pre `shape` has
-/// layers on that side. \throws MeshingError, naming the place, if more is asked than half of the
-/// surface's diagonal, if no positive thickness gives positive Jacobians, or if none keeps the skin
-/// from meeting itself.
+/// asked. No layer is ever dropped. \param directions #V unit vectors, outward.
+/// \param for_core whether the lumen behind layers inside is to be filled: the clearance is then
+/// 25 %, and edges towards the core have 0.35 to 3 times the length of the wall's.
+/// \pre `shape` has layers on that side. \throws MeshingError, naming the place, if more is asked
+/// than half of the surface's diagonal, if no positive thickness gives positive Jacobians, or if
+/// none keeps the skin from meeting itself.
 ThicknessResult fit_thickness(const QuadMesh& quads, const std::vector<Vec3>& directions,
-                              const WallShape& shape, Side side);
+                              const WallShape& shape, Side side, bool for_core = false);
 
 }  // namespace hexwall

@@ -7,6 +7,7 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "core/cancel.h"
 #include "core/tolerances.h"
 
 namespace hexwall {
@@ -167,6 +168,7 @@ Descent descend(const AreaEnergy& energy, const Eigen::VectorXd& start, int max_
   Eigen::MatrixXd hessian;
   energy.derivatives(descent.lambda, gradient, hessian);
   for (int i = 0; i < max_iterations; ++i) {
+    throw_if_cancelled();
     const Eigen::VectorXd step = trust_region_step(gradient, hessian, radius);
     const double predicted = -gradient.dot(step) - 0.5 * step.dot(hessian * step);
     if (!(predicted > tolerance::energy_decrease)) break;

@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 
+#include "core/cancel.h"
 #include "dec/operators.h"
 #include "holomorphic/energy.h"
 
@@ -131,6 +132,7 @@ FormSolution solve_form(const FormProblem& problem) {
 
 FormSolution solve_form(const FormProblem& problem, const std::vector<SurfaceDisk>& disks,
                         PuncturedSurface punctured) {
+  throw_if_cancelled();
   FormSolution s;
   s.disks = disks;
   refine(problem, std::move(punctured), s);

@@ -24,6 +24,10 @@ double square(double x) {
   return x * x;
 }
 
+double tenth_power(double x) {
+  return square(square(square(x)) * x);
+}
+
 double sixth_power(double x) {
   return square(x * x * x);
 }
@@ -51,7 +55,7 @@ double of_face(std::span<const Vec3> face, const FaceGeometry& geometry, const C
   const double weight = std::min(below, above) / (below + above);
   const auto [less, more] = std::minmax(owner.volume, other.volume);
   const double split = face.size() == 4 ? of_split(face, owner.center, other.center) : 0.0;
-  return split + sixth_power((1.0 - cosine) / (1.0 - limit_cosine)) +
+  return split + tenth_power((1.0 - cosine) / (1.0 - limit_cosine)) +
          sixth_power(skewness_between(face, geometry, owner.center, other.center) /
                      limit_skewness) +
          square(square(limit_weight / weight)) + square(limit_volume_ratio * more / less);

@@ -60,6 +60,20 @@ std::vector<CellGeometry> cell_geometries(const CellMesh& mesh) {
   return cells;
 }
 
+double mean_wall_distance(const CellMesh& mesh) {
+  double sum = 0.0;
+  double area = 0.0;
+  for (const CellPatch& patch : mesh.patches) {
+    if (!patch.is_wall) continue;
+    for (const CellFace& face : patch.faces) {
+      const FaceGeometry geometry = face_geometry(FacePoints(mesh.points, face.vertices).span());
+      sum += geometry.area.dot(geometry.center - geometry_of(mesh, face.cell).center);
+      area += geometry.area.norm();
+    }
+  }
+  return area > 0.0 ? sum / area : 0.0;
+}
+
 CellQuality cell_quality(const CellMesh& mesh) {
   CellQuality q;
   const std::vector<CellGeometry> cells = cell_geometries(mesh);

@@ -36,6 +36,10 @@ struct CellQuality {
 /// \pre a conforming mesh. \throws Error(ExitCode::internal) if it is not.
 CellQuality cell_quality(const CellMesh& mesh);
 
+/// Mean distance of the centres of the cells at patches of type wall from the planes of their wall
+/// faces, weighted by the faces' areas. 0 without walls.
+double mean_wall_distance(const CellMesh& mesh);
+
 /// Geometry of each cell. #C.
 std::vector<CellGeometry> cell_geometries(const CellMesh& mesh);
 

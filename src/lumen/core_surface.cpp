@@ -26,8 +26,8 @@ constexpr double clearance = 1.3;
 constexpr double lowering = 0.8;
 // Between neighbouring pyramids there should be this angle, or their tetrahedra would be slivers;
 // they are not lowered beyond the given share for it.
-constexpr double least_gap = 40.0 * std::numbers::pi / 180.0;
-constexpr double lowest_for_gap = 0.25;
+constexpr double least_gap = 45.0 * std::numbers::pi / 180.0;
+constexpr double lowest_for_gap = 0.2;
 // Lower ones would be slivers.
 constexpr double least_height = 0.02;
 
@@ -114,7 +114,7 @@ class Builder {
   }
 
   void add_caps() {
-    result_.first_cap_point_ = static_cast<int>(result_.surface.points.size());
+    result_.first_cap_point = static_cast<int>(result_.surface.points.size());
     const auto rims = cap_rims(quads_);
     for (std::size_t loop = 0; loop < rims.size(); ++loop) {
       std::vector<Vec3> rim;
@@ -228,12 +228,7 @@ class Builder {
     }
     place_apexes(height, 1.0);
     for (std::size_t q = 0; q < frames_.size(); ++q) {
-      const double ratio = height[q] / frames_[q].height;
-      if (ratio >= 1.0) continue;
-      ++result_.lowered;
-      if (ratio >= result_.least_height) continue;
-      result_.least_height = ratio;
-      result_.lowest = frames_[q].center;
+      if (height[q] < frames_[q].height) ++result_.lowered;
     }
   }
 

@@ -17,14 +17,9 @@ struct CoreSurface {
   std::vector<double> edge;  ///< #V wanted edge length
   std::vector<int> opening;  ///< #T opening that a triangle caps, or -1
   int first_apex = 0;        ///< vertex of the apex on quad 0
+  int first_cap_point = 0;   ///< vertex of the first point inside a cap
   bool has_apexes = false;
-  int lowered = 0;            ///< apexes that are lower than their quads would allow, for room
-  double least_height = 1.0;  ///< of an apex, relative to that of its quad; 1 if none is lowered
-  Vec3 lowest = Vec3::Zero();
-
-  /// Vertices that the caps have inside come after these.
-  int first_cap_point() const { return first_cap_point_; }
-  int first_cap_point_ = 0;
+  int lowered = 0;  ///< apexes that are lower than their quads would allow, for room
 };
 
 /// Loops of a quad mesh by `loop_of_vertex`, each counter-clockwise seen from outside the lumen, as

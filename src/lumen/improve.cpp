@@ -16,6 +16,7 @@ namespace {
 
 constexpr int most_rounds = 12;
 constexpr int search_steps = 6;
+constexpr double good_enough = 0.7;  // of the wanted cost: a vertex need not move further
 constexpr double least_gain = 0.01;  // less is no reason to look at a vertex again
 constexpr double first_step = 0.15;  // of the mean length of the edges at the vertex
 
@@ -64,18 +65,8 @@ class Improver {
     ImproveResult result;
     std::vector<int> vertices = vertices_of(bad_faces(), bad_cells());
     for (; result.rounds < most_rounds && !vertices.empty(); ++result.rounds) {
-      std::vector<int> faces;
-      std::vector<int> cells;
-      for (const int v : vertices) {
-        if (!improve_vertex(v)) continue;
-        for (const int f : faces_around(v)) {
-          if (face_cost(f) > cost::wanted) faces.push_back(f);
-        }
-        for (const int c : cells_of_vertex_.of(v)) {
-          if (cell_cost(c) > cost::wanted) cells.push_back(c);
-        }
-      }
-      vertices = vertices_of(faces, cells);
+      improve_vertices(vertices);
+      vertices = bad_around(vertices);
     }
     for (std::size_t v = 0; v < before.size(); ++v) {
       if (before[v] != mesh_.points[v]) ++result.moved;
@@ -146,28 +137,90 @@ class Improver {
     return numbers_where(marked.size(), [&](int v) { return marked[v] != 0; });
   }
 
-  void update_cells(int v) {
-    for (const int c : cells_of_vertex_.of(v)) {
-      std::array<FaceGeometry, 6> faces;
-      const std::size_t count = faces_of(mesh_.shape[c]).size();
-      for (std::size_t i = 0; i < count; ++i) {
-        faces[i] = face_geometry(
-            FacePoints(mesh_.points, cell_face(mesh_, c, static_cast<int>(i))).span());
+  // Vertices that gained by moving, and around which there is something bad still, with those of
+  // the cells there.
+  std::vector<int> bad_around(const std::vector<int>& vertices) const {
+    std::vector<int> faces;
+    std::vector<int> cells;
+    for (const int v : vertices) {
+      if (has_gained_[v] == 0) continue;
+      for (const int f : faces_around(v)) {
+        if (face_cost(f) > cost::wanted) faces.push_back(f);
       }
-      geometry_[c] = cell_geometry(std::span(faces).first(count));
+      for (const int c : cells_of_vertex_.of(v)) {
+        if (cell_cost(c) > cost::wanted) cells.push_back(c);
+      }
+    }
+    return vertices_of(faces, cells);
+  }
+
+  // All at a time that do not see each other move: the result is the same on any number of threads.
+  void improve_vertices(std::vector<int> vertices) {
+    has_gained_.assign(mesh_.points.size(), 0);
+    std::vector<int> taken(mesh_.shape.size(), -1);
+    for (int batch = 0; !vertices.empty(); ++batch) {
+      std::vector<int> now;
+      std::vector<int> later;
+      for (const int v : vertices) (take(v, batch, taken) ? now : later).push_back(v);
+      parallel_tasks(now.size(),
+                     [&](std::size_t i) { has_gained_[now[i]] = improve_vertex(now[i]) ? 1 : 0; });
+      vertices = std::move(later);
     }
   }
 
-  double cost_at(int v, const Vec3& place, const std::vector<int>& faces, double bound) {
-    mesh_.points[v] = place;
-    update_cells(v);
-    double sum = 0.0;
-    for (const int f : faces) {
-      sum += face_cost(f);
-      if (sum >= bound) return sum;
+  // Takes the cells of a vertex unless one of them borders on a cell that is taken.
+  bool take(int v, int batch, std::vector<int>& taken) const {
+    for (const int f : faces_around(v)) {
+      for (const int c : {faces_[f].owner, faces_[f].neighbour}) {
+        if (c >= 0 && taken[c] == batch) return false;
+      }
     }
-    for (const int c : cells_of_vertex_.of(v)) sum += cell_cost(c);
-    return sum;
+    for (const int c : cells_of_vertex_.of(v)) taken[c] = batch;
+    return true;
+  }
+
+  CellGeometry geometry_of(int c) const {
+    const auto corners = mesh_.corners(c);
+    if (mesh_.shape[c] == CellShape::tetrahedron) {
+      const Vec3& o = mesh_.points[corners[0]];
+      const Vec3 a = mesh_.points[corners[1]] - o;
+      const Vec3 b = mesh_.points[corners[2]] - o;
+      const Vec3 d = mesh_.points[corners[3]] - o;
+      return {o + 0.25 * (a + b + d), a.cross(b).dot(d) / 6.0};
+    }
+    std::array<FaceGeometry, 6> faces;
+    const std::size_t count = faces_of(mesh_.shape[c]).size();
+    for (std::size_t i = 0; i < count; ++i) {
+      faces[i] =
+          face_geometry(FacePoints(mesh_.points, cell_face(mesh_, c, static_cast<int>(i))).span());
+    }
+    return cell_geometry(std::span(faces).first(count));
+  }
+
+  void move_to(int v, const Vec3& place) {
+    mesh_.points[v] = place;
+    for (const int c : cells_of_vertex_.of(v)) geometry_[c] = geometry_of(c);
+  }
+
+  struct Cost {
+    double sum = 0.0;
+    double worst = 0.0;
+
+    void add(double more) {
+      sum += more;
+      worst = std::max(worst, more);
+    }
+  };
+
+  // Of what moves with a vertex; of a part if that reaches the bound.
+  Cost cost_around(int v, const std::vector<int>& faces, double bound) const {
+    Cost result;
+    for (const int f : faces) {
+      result.add(face_cost(f));
+      if (result.sum >= bound) return result;
+    }
+    for (const int c : cells_of_vertex_.of(v)) result.add(cell_cost(c));
+    return result;
   }
 
   std::vector<int> faces_around(int v) const {
@@ -202,24 +255,24 @@ class Improver {
         Vec3{1, -1, 1}, Vec3{-1, 1, -1}, Vec3{1, 1, -1},   Vec3{-1, -1, 1}};
     const std::vector<int> faces = faces_around(v);
     Vec3 best_place = mesh_.points[v];
-    double best = cost_at(v, best_place, faces, std::numeric_limits<double>::max());
-    const double before = best;
+    Cost best = cost_around(v, faces, std::numeric_limits<double>::max());
+    const double before = best.sum;
     double step = first_step * mean_edge(v);
-    for (int i = 0; i < search_steps; ++i) {
+    for (int i = 0; i < search_steps && best.worst > good_enough * cost::wanted; ++i) {
       bool found = false;
       for (const Vec3& direction : directions) {
         const Vec3 place = best_place + step * direction;
-        const double candidate = cost_at(v, place, faces, best);
-        if (candidate >= best) continue;
+        move_to(v, place);
+        const Cost candidate = cost_around(v, faces, best.sum);
+        if (candidate.sum >= best.sum) continue;
         best = candidate;
         best_place = place;
         found = true;
       }
       if (!found) step *= 0.5;
     }
-    mesh_.points[v] = best_place;
-    update_cells(v);
-    return best < (1.0 - least_gain) * before;
+    move_to(v, best_place);
+    return best.sum < (1.0 - least_gain) * before;
   }
 
   CellMesh& mesh_;
@@ -227,6 +280,7 @@ class Improver {
   std::vector<SharedFace> faces_;
   std::vector<CellGeometry> geometry_;
   Incidence faces_of_cell_, cells_of_vertex_;
+  std::vector<char> has_gained_;  // #V in the last round
 };
 
 }  // namespace

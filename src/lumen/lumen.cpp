@@ -18,7 +18,9 @@
 namespace hexwall {
 namespace {
 
-constexpr int improvement_rounds = 4;
+constexpr int improvement_rounds = 6;
+constexpr double hybrid_core_growth = 0.2;
+constexpr double most_skewness = 4.0;  // OpenFOAM reports more
 
 std::vector<std::string> opening_names(const PipelineResult& r) {
   std::vector<std::string> names;
@@ -163,7 +165,7 @@ std::vector<char> movable_vertices(const CellMesh& mesh, const CoreSurface& core
                                    const TetMesh& tets) {
   std::vector<char> movable(mesh.points.size(), 0);
   const std::size_t offset = mesh.points.size() - tets.points.size();
-  const int apexes_end = core.has_apexes ? core.first_cap_point() : core.first_apex;
+  const int apexes_end = core.has_apexes ? core.first_cap_point : core.first_apex;
   for (int v = core.first_apex; v < apexes_end; ++v) movable[offset + v] = 1;
   for (std::size_t v = core.surface.points.size(); v < tets.points.size(); ++v) {
     movable[offset + v] = 1;
@@ -255,6 +257,25 @@ std::vector<CellQuality> qualities(const CellMesh& mesh) {
   return result;
 }
 
+// What OpenFOAM would complain of.
+void add_quality_warnings(LumenResult& r) {
+  for (std::size_t i = 0; i < r.quality.size(); ++i) {
+    const CellQuality& q = r.quality[i];
+    const std::string& region = r.mesh.regions[i].name;
+    const char* advice = "choose a smaller --size, --size-by radius, or thinner layers";
+    if (q.faces_above_70 > 0) {
+      r.warnings.push_back(fmt::format(
+          "{} faces of the {} have a non-orthogonality above 70 deg, the worst {:.1f} at {}: {}",
+          q.faces_above_70, region, q.non_orthogonality.value, coordinates(q.non_orthogonality.at),
+          advice));
+    }
+    if (q.skewness.value > most_skewness) {
+      r.warnings.push_back(fmt::format("the skewness of the {} reaches {:.2f} at {}: {}", region,
+                                       q.skewness.value, coordinates(q.skewness.at), advice));
+    }
+  }
+}
+
 }  // namespace
 
 LumenResult make_lumen(const PipelineResult& r, const LumenOptions& options,
@@ -269,7 +290,7 @@ LumenResult make_lumen(const PipelineResult& r, const LumenOptions& options,
   result.lowered_pyramids = core.lowered;
   clock.begin("tetrahedra");
   TetOptions tet_options;
-  tet_options.growth = options.core_growth;
+  tet_options.growth = options.core_growth.value_or(is_hybrid ? hybrid_core_growth : 0.0);
   tet_options.seconds = options.seconds;
   TetMesh tets = fill_with_tets(core.surface, core.edge, tet_options);
   result.tetgen_seconds = tets.seconds;
@@ -285,6 +306,7 @@ LumenResult make_lumen(const PipelineResult& r, const LumenOptions& options,
   result.openings = measure_openings(result.mesh, r, options.inlet);
   result.counts = count_cells(result.mesh);
   result.quality = qualities(result.mesh);
+  add_quality_warnings(result);
   clock.end();
   result.times = clock.times();
   return result;

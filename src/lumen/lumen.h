@@ -18,9 +18,10 @@ struct LumenOptions {
     tet      ///< tetrahedra only
   };
   Mesh mesh = Mesh::hybrid;
-  std::string inlet;         ///< name of an opening; empty: the largest
-  double core_growth = 0.0;  ///< tetrahedra's edges grow by this share of the distance
-  double seconds = 600.0;    ///< TetGen may take
+  std::string inlet;                  ///< name of an opening; empty: the largest
+  std::optional<double> core_growth;  ///< tetrahedra's edges grow by this share of the distance;
+                                      ///< default: 0.2 in a hybrid mesh, 0 without layers
+  double seconds = 600.0;             ///< TetGen may take
 };
 
 /// How many cells of each shape there are.
@@ -50,7 +51,7 @@ struct LumenResult {
 /// their caps; the additional zone `lumen_core` has pyramids and tetrahedra; with layers on both
 /// sides the regions `lumen` and `wall` share the face zone `interface`.
 /// Tet: patches `wall` (the quads, split) and those of the openings; zone `lumen_core`.
-/// \pre hybrid: `result` has layers on the inner side.
+/// \pre hybrid: `result` has layers on the inner side, with `leaves_room_for_core`.
 /// \throws UsageError if no opening has the name of the inlet; MeshingError, GeometryError, naming
 /// the place, if the core can't be filled.
 LumenResult make_lumen(const PipelineResult& result, const LumenOptions& options,

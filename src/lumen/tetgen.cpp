@@ -2,13 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <csignal>
 #include <cstring>
+#include <limits>
 #include <numbers>
+#include <stdexcept>
 #include <string>
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
+#include <vtkIdList.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
@@ -114,8 +116,7 @@ std::string run_tetgen(const TriangleSurface& surface, const TetOptions& options
   set_input(surface, in);
   in.tetunsuitable = is_unsuitable;
   std::string switches =
-      fmt::format("pYq{:.6g}/{:.6g}O5Q", options.radius_edge_ratio,
-                  std::getenv("MD") ? atof(std::getenv("MD")) : options.min_dihedral);
+      fmt::format("pYq{:.6g}/{:.6g}O5Q", options.radius_edge_ratio, options.min_dihedral);
   try {
     tetrahedralize(switches.data(), &in, &out);
   } catch (const int code) {

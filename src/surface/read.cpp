@@ -3,16 +3,16 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <fstream>
-#include <iterator>
 #include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "core/errors.h"
+#include "surface/file_content.h"
 #include "surface/polygon_soup.h"
 #include "surface/read_legacy_vtk.h"
+#include "surface/read_memory.h"
 #include "surface/read_ply.h"
 #include "surface/read_text.h"
 #include "surface/read_vtp.h"
@@ -21,13 +21,6 @@ namespace hexwall {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string content_of(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::string content{std::istreambuf_iterator<char>(file), {}};
-  if (!file) throw ReadError("the file could not be read");
-  return content;
-}
 
 PolygonSoup read_stl(const fs::path& path) {
   PolygonSoup soup = parse_stl(content_of(path));
@@ -79,28 +72,22 @@ const Format& format_of(const fs::path& path) {
   throw ReadError(fmt::format("the extension '{}' is unknown. Known are{}", extension, known));
 }
 
-void check_file(const fs::path& path) {
-  std::error_code error;
-  const fs::file_status status = fs::status(path, error);
-  if (!fs::exists(status)) throw ReadError("the file does not exist");
-  if (fs::is_directory(status)) throw ReadError("this is a directory; a file is needed");
-  if (fs::file_size(path, error) == 0 && !error) throw ReadError("the file is empty");
-  if (!std::ifstream(path)) throw ReadError("the file cannot be opened; check its permissions");
-}
-
 }  // namespace
+
+ReadResult read_memory(PolygonSoup soup) {
+  ReadResult result;
+  TriangulateResult triangulated = triangulate(soup);
+  result.surface = std::move(triangulated.surface);
+  result.point_arrays = follow(soup.point_arrays, triangulated.point_origin);
+  result.cell_arrays = follow(soup.polygon_arrays, triangulated.triangle_origin);
+  result.notes = std::move(soup.notes);
+  return result;
+}
 
 ReadResult read_surface(const fs::path& path) {
   try {
     check_file(path);
-    PolygonSoup soup = format_of(path).read(path);
-    ReadResult result;
-    TriangulateResult triangulated = triangulate(soup);
-    result.surface = std::move(triangulated.surface);
-    result.point_arrays = follow(soup.point_arrays, triangulated.point_origin);
-    result.cell_arrays = follow(soup.polygon_arrays, triangulated.triangle_origin);
-    result.notes = std::move(soup.notes);
-    return result;
+    return read_memory(format_of(path).read(path));
   } catch (const ReadError& error) {
     throw ReadError(fmt::format("cannot read '{}': {}", path.string(), error.what()));
   }

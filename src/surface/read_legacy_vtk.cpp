@@ -384,6 +384,14 @@ void read_section(File& file, const std::string& word) {
   }
 }
 
+File read_file(const std::string& content) {
+  File file = read_header(content);
+  for (std::string word = next_word(file); !word.empty(); word = next_word(file)) {
+    read_section(file, word);
+  }
+  return file;
+}
+
 std::vector<SurfaceArray> checked(Attributes&& data, std::size_t tuples,
                                   std::vector<std::string>& notes) {
   std::vector<SurfaceArray> result;
@@ -399,12 +407,14 @@ std::vector<SurfaceArray> checked(Attributes&& data, std::size_t tuples,
   return result;
 }
 
+void check_types(const File& file) {
+  if (!file.is_grid || file.types.size() == file.cells.size()) return;
+  throw ReadError(fmt::format("{} cells, but {} cell types", file.cells.size(), file.types.size()));
+}
+
 /// \returns the number of cells.
 std::size_t add_cells(File& file, VtkCells& cells) {
-  if (file.is_grid && file.types.size() != file.cells.size()) {
-    throw ReadError(
-        fmt::format("{} cells, but {} cell types", file.cells.size(), file.types.size()));
-  }
+  check_types(file);
   for (std::size_t i = 0; i < file.cells.size(); ++i) {
     cells.add(file.types[i], std::move(file.cells[i]));
   }
@@ -419,10 +429,7 @@ std::size_t add_cells(File& file, VtkCells& cells) {
 }  // namespace
 
 PolygonSoup parse_legacy_vtk(const std::string& content) {
-  File file = read_header(content);
-  for (std::string word = next_word(file); !word.empty(); word = next_word(file)) {
-    read_section(file, word);
-  }
+  File file = read_file(content);
   PolygonSoup soup;
   VtkCells cells;
   const std::size_t cell_count = add_cells(file, cells);
@@ -432,6 +439,19 @@ PolygonSoup parse_legacy_vtk(const std::string& content) {
       follow(checked(std::move(file.cell_data), cell_count, soup.notes), cells.cell_of_polygon());
   soup.points = std::move(file.points);
   return soup;
+}
+
+VtkGrid parse_legacy_vtk_grid(const std::string& content) {
+  File file = read_file(content);
+  check_types(file);
+  VtkGrid grid{std::move(file.points), std::move(file.cells), std::move(file.types)};
+  for (std::size_t k = 0; k < file.parts.size(); ++k) {
+    for (std::vector<int>& corners : file.parts[k]) {
+      grid.cells.push_back(std::move(corners));
+      grid.types.push_back(part_types[k]);
+    }
+  }
+  return grid;
 }
 
 }  // namespace hexwall

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "surface/polygon_soup.h"
+#include "surface/vtk_cells.h"
 
 namespace hexwall {
 
@@ -13,5 +14,8 @@ namespace hexwall {
 /// Source: "VTK File Formats" in the VTK User's Guide, and vtkDataReader for what that leaves out.
 /// \throws ReadError if the file is not of the format or truncated.
 PolygonSoup parse_legacy_vtk(const std::string& content);
+
+/// The same with all cells as they stand, without arrays.
+VtkGrid parse_legacy_vtk_grid(const std::string& content);
 
 }  // namespace hexwall

@@ -1,7 +1,6 @@
 #include "surface/read_text.h"
 
 #include <bit>
-#include <charconv>
 #include <cstdint>
 #include <cstring>
 #include <string_view>
@@ -10,66 +9,18 @@
 
 #include "core/errors.h"
 #include "surface/counted.h"
+#include "surface/line_reader.h"
 
 namespace hexwall {
 namespace {
 
-using Tokens = std::vector<std::string_view>;
+using Tokens = LineReader::Tokens;
 
-/// Walks through a text line by line, each split at white space.
-class LineReader {
- public:
-  explicit LineReader(std::string_view text) : rest_(text) {}
-
-  /// The next line with something on it but a comment; false at the end of the text.
-  bool next(Tokens& tokens) {
-    do {
-      if (rest_.empty()) return false;
-      const std::size_t end = std::min(rest_.find_first_of("\n\r"), rest_.size());
-      const bool is_crlf = rest_.substr(end).starts_with("\r\n");
-      const std::string_view line = rest_.substr(0, end);
-      split(line.substr(0, line.find('#')), tokens);
-      rest_.remove_prefix(std::min(end + (is_crlf ? 2 : 1), rest_.size()));
-      ++line_;
-    } while (tokens.empty());
-    return true;
-  }
-
-  [[noreturn]] void fail(const std::string& message) const {
-    throw ReadError(fmt::format("line {}: {}", line_, message));
-  }
-
-  template <typename Number>
-  Number parse(std::string_view token) const {
-    const std::string_view digits = token.starts_with('+') ? token.substr(1) : token;
-    Number value{};
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    if (error != std::errc{} || end != digits.data() + digits.size()) {
-      fail(fmt::format("'{}' is not a number of the expected kind", token));
-    }
-    return value;
-  }
-
-  Vec3 parse_point(const Tokens& tokens, std::size_t first) const {
-    if (tokens.size() < first + 3) fail("a point needs 3 coordinates");
-    return {parse<double>(tokens[first]), parse<double>(tokens[first + 1]),
-            parse<double>(tokens[first + 2])};
-  }
-
- private:
-  static void split(std::string_view line, Tokens& tokens) {
-    tokens.clear();
-    constexpr std::string_view blanks = " \t\v\f";
-    for (std::size_t at = line.find_first_not_of(blanks); at != std::string_view::npos;) {
-      const std::size_t end = std::min(line.find_first_of(blanks, at), line.size());
-      tokens.push_back(line.substr(at, end - at));
-      at = line.find_first_not_of(blanks, end);
-    }
-  }
-
-  std::string_view rest_;
-  int line_ = 0;
-};
+Vec3 parse_point(const LineReader& reader, const Tokens& tokens, std::size_t first) {
+  if (tokens.size() < first + 3) reader.fail("a point needs 3 coordinates");
+  return {reader.parse<double>(tokens[first]), reader.parse<double>(tokens[first + 1]),
+          reader.parse<double>(tokens[first + 2])};
+}
 
 constexpr std::size_t stl_header_size = 84;    // 80 bytes of text and the number of triangles
 constexpr std::size_t stl_triangle_size = 50;  // normal, three points, two bytes of attributes
@@ -134,7 +85,7 @@ PolygonSoup parse_text_stl(const std::string& content) {
       facet.clear();
     } else if (tokens[0] == "vertex") {
       facet.push_back(static_cast<int>(soup.points.size()));
-      soup.points.push_back(reader.parse_point(tokens, 1));
+      soup.points.push_back(parse_point(reader, tokens, 1));
     } else if (tokens[0] == "endfacet") {
       if (facet.size() != 3) reader.fail(fmt::format("a facet has {} vertices", facet.size()));
       soup.polygons.push_back(facet);
@@ -193,7 +144,7 @@ PolygonSoup parse_obj(const std::string& content) {
   int ignored = 0;
   while (reader.next(tokens)) {
     if (tokens[0] == "v") {
-      soup.points.push_back(reader.parse_point(tokens, 1));
+      soup.points.push_back(parse_point(reader, tokens, 1));
     } else if (tokens[0] == "f") {
       std::vector<int>& face = soup.polygons.emplace_back();
       for (std::size_t k = 1; k < tokens.size(); ++k) {
@@ -216,7 +167,7 @@ PolygonSoup parse_off(const std::string& content) {
   Tokens tokens;
   const OffHeader header = parse_off_header(reader, tokens);
   while (soup.points.size() < header.points && reader.next(tokens)) {
-    soup.points.push_back(reader.parse_point(tokens, 0));
+    soup.points.push_back(parse_point(reader, tokens, 0));
   }
   while (soup.polygons.size() < header.faces && reader.next(tokens)) {
     soup.polygons.push_back(parse_off_face(reader, tokens));

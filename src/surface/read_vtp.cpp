@@ -10,13 +10,13 @@
 #include "core/errors.h"
 #include "surface/number_source.h"
 #include "surface/vtk_cells.h"
+#include "surface/vtk_pieces.h"
 #include "surface/vtk_xml.h"
 
 namespace hexwall {
 namespace {
 
 constexpr std::size_t most_components = 1000;
-constexpr std::size_t most_tuples = 1UL << 31;  // indices are of type int
 
 struct Part {
   std::string_view element, count;
@@ -28,62 +28,6 @@ constexpr std::array<Part, 4> parts{{{"Verts", "NumberOfVerts", VTK_POLY_VERTEX}
                                      {"Lines", "NumberOfLines", VTK_POLY_LINE},
                                      {"Polys", "NumberOfPolys", VTK_POLYGON},
                                      {"Strips", "NumberOfStrips", VTK_TRIANGLE_STRIP}}};
-
-std::size_t count_in(const XmlElement& element, std::string_view attribute,
-                     std::size_t greatest = most_tuples) {
-  const std::size_t count = count_of(element.attribute(attribute, "0"));
-  if (count > greatest) throw ReadError(fmt::format("{} is {}", attribute, count));
-  return count;
-}
-
-const XmlElement& array_named(const XmlElement& parent, const std::string& name) {
-  for (const XmlElement& array : parent.children) {
-    if (array.name == "DataArray" && array.attribute("Name") == name) return array;
-  }
-  throw ReadError(fmt::format("the array '{}' is missing in '{}'", name, parent.name));
-}
-
-void add_points(const VtkXmlFile& file, const XmlElement& piece, std::size_t count,
-                PolygonSoup& soup) {
-  if (count == 0) return;
-  const XmlElement* points = piece.child("Points");
-  const XmlElement* array = points == nullptr ? nullptr : points->child("DataArray");
-  if (array == nullptr) throw ReadError("a piece has no points");
-  const std::vector<double> x = numbers_of(file, *array, 3 * count);
-  for (std::size_t i = 0; i < x.size(); i += 3) soup.points.emplace_back(x[i], x[i + 1], x[i + 2]);
-}
-
-/// The points of a piece among those of all pieces.
-struct PointRange {
-  std::size_t first, count;
-};
-
-// Corners out of the piece's range become -1, which is refused.
-int corner_of(double corner, const PointRange& points) {
-  const int index = index_of(corner);
-  const bool is_inside = index >= 0 && static_cast<std::size_t>(index) < points.count;
-  return is_inside ? static_cast<int>(points.first) + index : -1;
-}
-
-void add_cells(const VtkXmlFile& file, const XmlElement& element, std::size_t count, int type,
-               const PointRange& points, VtkCells& cells) {
-  const std::vector<double> ends = numbers_of(file, array_named(element, "offsets"), count);
-  double before = 0.0;
-  for (std::size_t i = 0; i < count; before = ends[i++]) {
-    if (ends[i] >= before && ends[i] < static_cast<double>(most_tuples)) continue;
-    throw ReadError(fmt::format("cell {} of '{}' does not end where it should", i, element.name));
-  }
-  const auto size = static_cast<std::size_t>(ends.empty() ? 0.0 : ends.back());
-  const std::vector<double> corners = numbers_of(file, array_named(element, "connectivity"), size);
-  std::size_t k = 0;
-  for (const double end : ends) {
-    std::vector<int> cell;
-    for (; static_cast<double>(k) < end; ++k) {
-      cell.push_back(corner_of(corners[k], points));
-    }
-    cells.add(type, std::move(cell));
-  }
-}
 
 /// Arrays of several pieces, one behind the other.
 class Arrays {
@@ -139,7 +83,7 @@ struct Sum {
 
 void add_piece(const VtkXmlFile& file, const XmlElement& piece, Sum& sum) {
   const PointRange points{sum.soup.points.size(), count_in(piece, "NumberOfPoints")};
-  add_points(file, piece, points.count, sum.soup);
+  add_points(file, piece, points.count, sum.soup.points);
   std::size_t cell_count = 0;
   for (const Part& part : parts) {
     const std::size_t count = count_in(piece, part.count);
@@ -147,7 +91,9 @@ void add_piece(const VtkXmlFile& file, const XmlElement& piece, Sum& sum) {
     const XmlElement* element = piece.child(part.element);
     if (element == nullptr)
       throw ReadError(fmt::format("the element '{}' is missing", part.element));
-    add_cells(file, *element, count, part.type, points, sum.cells);
+    for (std::vector<int>& corners : cells_in(file, *element, count, points)) {
+      sum.cells.add(part.type, std::move(corners));
+    }
     cell_count += count;
   }
   sum.cell_count += cell_count;

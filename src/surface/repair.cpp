@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "core/cancel.h"
 #include "core/errors.h"
 #include "surface/connectivity.h"
 #include "surface/repair_steps.h"
@@ -77,6 +78,7 @@ class Repair {
   void run(RepairStep step, const std::function<Outcome(State&)>& work) {
     const auto& steps = options_.steps;
     if (std::find(steps.begin(), steps.end(), step) == steps.end()) return;
+    throw_if_cancelled();
     State next = state_;
     Outcome outcome = work(next);
     if (outcome.places.empty()) return;

@@ -5,6 +5,7 @@
 
 #include <CGAL/Polygon_mesh_processing/remesh.h>
 
+#include "core/cancel.h"
 #include "surface/cgal_mesh.h"
 
 namespace hexwall {
@@ -37,6 +38,7 @@ struct ToField {
   const VesselField* field;
   double tolerance;
   Kernel::Point_3 operator()(Vertex v) const {
+    throw_if_cancelled();
     return to_cgal(field->project(to_eigen(mesh->point(v)), tolerance));
   }
 };

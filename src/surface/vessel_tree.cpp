@@ -14,6 +14,7 @@
 #include <vtkNew.h>
 #include <vtkPolyData.h>
 
+#include "core/cancel.h"
 #include "core/errors.h"
 #include "surface/vessel_field.h"
 #include "surface/vessel_remesh.h"
@@ -84,6 +85,7 @@ vtkSmartPointer<vtkImageData> sample_field(const VesselField& field, const Grid&
   for (int k = 0; k < grid.size[2]; k += block_size) {
     for (int j = 0; j < grid.size[1]; j += block_size) {
       for (int i = 0; i < grid.size[0]; i += block_size) {
+        throw_if_cancelled();
         sample_block(field, grid, {i, j, k}, values);
       }
     }

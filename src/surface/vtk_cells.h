@@ -6,6 +6,13 @@
 
 namespace hexwall {
 
+/// Cells of VTK's kinds as they stand in a file. Corners that are no index of a point are -1.
+struct VtkGrid {
+  std::vector<Vec3> points;
+  std::vector<std::vector<int>> cells;  ///< corners; of a polyhedron its face stream
+  std::vector<int> types;               ///< #cells, of vtkCellType.h
+};
+
 /// Adds cells of VTK's kinds to a polygon soup, and counts those that are no part of a surface.
 class VtkCells {
  public:

@@ -1,6 +1,7 @@
 #include "exporters/openfoam.h"
 
 #include <algorithm>
+#include <array>
 #include <fstream>
 #include <sstream>
 #include <string>
@@ -324,7 +325,17 @@ TEST_P(InconsistentMesh, IsAnInternalErrorAndNothingIsWritten) {
 }
 
 const std::vector<Spoiled> kSpoiled{
-    {"ThreeHexesAtAFace", [](HexMesh& m) { m.hexes[60] = m.hexes[0]; }, "third cell"},
+    {"ThreeHexesAtAFace",
+     [](HexMesh& m) {
+       // The first hex again, but with the last one's vertices where its neighbour has none.
+       const auto [first, second, last] = std::array{m.hexes[0], m.hexes[1], m.hexes.back()};
+       std::array<int, 8> third = first;
+       for (int k = 0; k < 8; ++k) {
+         if (std::find(second.begin(), second.end(), first[k]) == second.end()) third[k] = last[k];
+       }
+       m = {m.points, {first, second, third}, {0, 0, 0}, {0, 0, 0}, {}, {{"z", {0, 1, 2}}}};
+     },
+     "third cell"},
     {"TwoHexesOnOneSide",
      [](HexMesh& m) {
        m = {m.points, {m.hexes[0], m.hexes[0]}, {0, 0}, {0, 0}, {}, {{"z", {0, 1}}}};

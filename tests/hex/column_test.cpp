@@ -90,15 +90,17 @@ TEST(CellGeometry, CenterOfAFrustumIsItsCentroid) {
 }
 
 TEST(CornerDeficit, IsThatOfTheAnglesOnAFlatColumn) {
-  // Corners of 60 and 120 degrees on both levels: 8 (1 - sin 60°)^16.
+  // Corners of 60 and 120 degrees on both levels: 8 (1 - sin 60°)^16, or ^64.
   const double h = 0.5 * std::numbers::sqrt3;
   Column column;
   column.base = {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(1.5, h, 0), Vec3(0.5, h, 0)};
   column.direction.fill(Vec3::UnitZ());
   column.outward.fill(1.0);
   column.inward.fill(0.0);
-  const double expected = 8.0 * std::pow(1.0 - h, 16);
-  EXPECT_NEAR(corner_deficit(column, {0.0, 1.0}) / expected, 1.0, 1e-12);
+  for (const int squarings : {4, 6}) {
+    const double expected = 8.0 * std::pow(1.0 - h, std::pow(2.0, squarings));
+    EXPECT_NEAR(corner_deficit(column, {0.0, 1.0}, squarings) / expected, 1.0, 1e-12);
+  }
   EXPECT_NEAR(scaled_jacobian(column, {0.0, 1.0}), h, 1e-14);
 }
 

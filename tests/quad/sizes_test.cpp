@@ -99,5 +99,18 @@ TEST(SizeField, MustBePositiveAndComplete) {
                [&] { run_pipeline(surface, options); });
 }
 
+TEST(Size, IsSaidToBeTooLargeWhereQuadsAreBad) {
+  PipelineOptions options;
+  options.size = 3.5;
+  options.size_by_radius = true;
+  const PipelineResult r = run_pipeline(generate_shape(Shape::aaa, 2.0), options);
+  const bool is_bad = r.quad_quality.min_scaled_jacobian < 0.2;
+  const auto says_so = [](const std::string& warning) {
+    return warning.find("badly shaped") != std::string::npos;
+  };
+  EXPECT_EQ(std::any_of(r.warnings.begin(), r.warnings.end(), says_so), is_bad);
+  ASSERT_TRUE(is_bad) << "the test needs a size that is too large";
+}
+
 }  // namespace
 }  // namespace hexwall::test

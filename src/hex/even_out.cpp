@@ -1,0 +1,190 @@
+#include "hex/even_out.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "core/parallel.h"
+#include "hex/column_search.h"
+
+namespace hexwall {
+namespace {
+
+// Columns with hexes below this are evened out with the rings of vertices around them, unless that
+// is much of the mesh.
+constexpr double poor_jacobian = 0.62;
+constexpr int even_rings = 3;
+constexpr double most_evened = 0.2;
+// The very worst are those within this of the worst.
+constexpr double worst_range = 0.06;
+// A face that is just split counts like a scaled Jacobian of one less this.
+constexpr double least_split_weight = 0.45;
+constexpr double greatest_split_weight = 1.0;
+constexpr double worst_split_weight = 0.55;
+// Powers of what corners lack, in number of squarings.
+constexpr int first_squarings = 4;
+constexpr int most_squarings = 6;
+// Keeps good quads square: with the first power it weighs like corners that lack about 0.37.
+constexpr double first_skew_weight = 1e-7;
+// Vertices stay, for the while, where the corners around them lack less than about 0.29.
+constexpr double first_good_cost = 2e-9;
+// No edge gets shorter than this share of the shortest one around its end.
+constexpr double least_shortening = 0.8;
+// Steps start with this, or half of it where the power was raised, and are halved after so many
+// sweeps, or where a sweep leaves more than this share of the cost.
+constexpr double first_step = 0.5;
+constexpr int most_halvings = 5;
+constexpr int most_sweeps = 12;
+constexpr double enough_decrease = 0.9;
+
+/// Which columns are evened out, and what counts.
+struct Goals {
+  double poor_jacobian;
+  double split_weight;
+  int squarings;         ///< of the first power
+  bool keeps_face_tets;  ///< no face is lost to OpenFOAM
+};
+
+/// Minimises the sum of a high power of what the corners of the hexes lack, around poor columns.
+class Evener {
+ public:
+  Evener(ColumnSearch& search, std::vector<char> is_hopeless, const Goals& goals)
+      : search_(search),
+        is_hopeless_(std::move(is_hopeless)),
+        goals_(goals),
+        least_edge_(search.quads().points.size(), 0.0) {}
+
+  /// \return vertices moved or turned.
+  int run(int last_squarings) {
+    const std::vector<int> vertices = vertices_around_poor_columns();
+    std::vector<char> moved(least_edge_.size(), 0);
+    if (static_cast<double>(vertices.size()) > most_evened * static_cast<double>(moved.size())) {
+      return 0;
+    }
+    for (const int v : vertices) least_edge_[v] = least_shortening * search_.shortest_edge(v);
+    for (int squarings = goals_.squarings; squarings <= last_squarings; ++squarings) {
+      squarings_ = squarings;
+      minimise(vertices, squarings == first_squarings ? first_step : 0.5 * first_step, moved);
+    }
+    return static_cast<int>(std::count(moved.begin(), moved.end(), 1));
+  }
+
+ private:
+  void minimise(const std::vector<int>& vertices, double step, std::vector<char>& moved) {
+    for (int halving = 0; halving < most_halvings; ++halving, step *= 0.5) {
+      double before = std::numeric_limits<double>::max();
+      for (int i = 0; i < most_sweeps; ++i) {
+        const double cost = sweep(vertices, step, moved);
+        if (cost > enough_decrease * before) break;
+        before = cost;
+      }
+    }
+  }
+
+  double sweep(const std::vector<int>& vertices, double step, std::vector<char>& moved) {
+    const double good = squared(first_good_cost, squarings_ - first_squarings);
+    double sum = 0.0;
+    search_.turn_rings();
+    for (const int v : vertices) {
+      const double cost = cost_around(v);
+      if (cost > good && improve(v, step)) moved[v] = 1;
+      sum += cost;
+    }
+    return sum;
+  }
+
+  std::vector<int> vertices_around_poor_columns() const {
+    const auto& quads = search_.quads().quads;
+    std::vector<char> in_region(quads.size());
+    parallel_for(quads.size(), [&](std::size_t q) {
+      const Column column = search_.column(static_cast<int>(q));
+      const bool is_poor = scaled_jacobian(column, search_.levels()) < goals_.poor_jacobian ||
+                           (is_hopeless_[q] == 0 && !has_face_tets(column, search_.levels()));
+      in_region[q] = is_poor ? 1 : 0;
+    });
+    std::vector<char> near(search_.quads().points.size(), 0);
+    for (int ring = 0; ring <= even_rings; ++ring) {
+      for (std::size_t q = 0; q < quads.size(); ++q) {
+        if (in_region[q] == 0) continue;
+        for (const int v : quads[q]) near[v] = 1;
+      }
+      for (std::size_t q = 0; q < quads.size(); ++q) {
+        const auto is_near = [&](int v) { return near[v] != 0; };
+        if (std::any_of(quads[q].begin(), quads[q].end(), is_near)) in_region[q] = 1;
+      }
+    }
+    std::vector<int> vertices;
+    for (std::size_t v = 0; v < near.size(); ++v) {
+      if (near[v] != 0 && search_.quads().loop_of_vertex[v] < 0) {
+        vertices.push_back(static_cast<int>(v));
+      }
+    }
+    return vertices;
+  }
+
+  double cost_around(int v) const {
+    const double skew_weight = squared(first_skew_weight, squarings_ - first_squarings);
+    double sum = 0.0;
+    for (const int q : search_.columns_around(v)) {
+      const Column column = search_.column(q);
+      sum += corner_deficit(column, search_.levels(), squarings_) + skew_weight * skew(column);
+      if (is_hopeless_[q] != 0) continue;
+      const double split = face_split(column, search_.levels());
+      sum += squared(goals_.split_weight * (1.0 - split), squarings_);
+    }
+    return sum;
+  }
+
+  bool improve(int v, double step) {
+    return search_.improve(
+        v, step, [this](int w) { return cost_around(w); },
+        [this](int w) {
+          return search_.shortest_edge(w) >= least_edge_[w] &&
+                 (!goals_.keeps_face_tets || have_face_tets(w));
+        });
+  }
+
+  bool have_face_tets(int v) const {
+    const auto columns = search_.columns_around(v);
+    return std::all_of(columns.begin(), columns.end(), [this](int q) {
+      return is_hopeless_[q] != 0 || has_face_tets(search_.column(q), search_.levels());
+    });
+  }
+
+  ColumnSearch& search_;
+  std::vector<char> is_hopeless_;
+  Goals goals_;
+  int squarings_ = first_squarings;
+  std::vector<double> least_edge_;  // #V where vertices may move
+};
+
+double least_jacobian(const ColumnSearch& search) {
+  double least = 1.0;
+  for (std::size_t q = 0; q < search.quads().quads.size(); ++q) {
+    least = std::min(least, scaled_jacobian(search.column(static_cast<int>(q)), search.levels()));
+  }
+  return least;
+}
+
+}  // namespace
+
+int even_out(QuadMesh& quads, std::vector<SurfacePoint>& places, std::vector<Vec3>& directions,
+             const SurfaceProjector& projector, const WallShape& shape, double face_tets) {
+  ColumnSearch search(quads, places, directions, projector, shape);
+  const double split_weight =
+      least_split_weight + face_tets * (greatest_split_weight - least_split_weight);
+  const Goals goals{poor_jacobian, split_weight, first_squarings, false};
+  return Evener(search, hopeless_columns(search), goals).run(first_squarings);
+}
+
+int even_out_worst(QuadMesh& quads, std::vector<SurfacePoint>& places,
+                   std::vector<Vec3>& directions, const SurfaceProjector& projector,
+                   const WallShape& shape) {
+  ColumnSearch search(quads, places, directions, projector, shape);
+  const double poor = std::min(poor_jacobian, least_jacobian(search) + worst_range);
+  const Goals goals{poor, worst_split_weight, first_squarings + 1, true};
+  return Evener(search, hopeless_columns(search), goals).run(most_squarings);
+}
+
+}  // namespace hexwall

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <vector>
+
+#include "hex/column.h"
+#include "quad/quad_mesh.h"
+#include "surface/projector.h"
+
+namespace hexwall {
+
+/// Raises the worst hexes: columns that are poor still after `polish` are evened out together with
+/// the rings of quads around them, as eight quads that meet at a zero need room. Minimises the sum
+/// of the 16th power of what the corners of all hexes there lack, by pattern search.
+/// \param places, directions as for `polish` \param shape the wall as it is.
+/// \param face_tets from 0 to 1: weight of faces that OpenFOAM can split (`has_face_tets`), at the
+/// cost of scaled Jacobians. \return vertices moved or turned.
+int even_out(QuadMesh& quads, std::vector<SurfacePoint>& places, std::vector<Vec3>& directions,
+             const SurfaceProjector& projector, const WallShape& shape, double face_tets);
+
+/// Raises the very worst hexes further, of what `even_out` left: the same with powers up to the
+/// 64th, which come close to the least scaled Jacobian itself. \return vertices moved or turned.
+int even_out_worst(QuadMesh& quads, std::vector<SurfacePoint>& places,
+                   std::vector<Vec3>& directions, const SurfaceProjector& projector,
+                   const WallShape& shape);
+
+}  // namespace hexwall
