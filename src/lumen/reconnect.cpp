@@ -22,33 +22,33 @@ constexpr double least_gain = 0.02;
 
 constexpr std::array<Triangle, 4> faces_of_tet{{{0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {0, 2, 1}}};
 
-/// All ways to cut a polygon of n corners into triangles.
-const std::vector<std::vector<Triangle>>& triangulations(std::size_t n) {
-  static std::array<std::vector<std::vector<Triangle>>, largest_ring + 1> known;
-  // Between corners i and j, by the triangle on the side from i to j.
-  const auto between = [](auto&& self, int i, int j) -> std::vector<std::vector<Triangle>> {
-    if (j - i < 2) return {{}};
-    std::vector<std::vector<Triangle>> all;
-    for (int k = i + 1; k < j; ++k) {
-      for (const auto& left : self(self, i, k)) {
-        for (const auto& right : self(self, k, j)) {
-          std::vector<Triangle> one = left;
-          one.insert(one.end(), right.begin(), right.end());
-          one.push_back({i, k, j});
-          all.push_back(std::move(one));
-        }
+using Triangulation = std::vector<Triangle>;
+
+/// All ways to cut the polygon of corners i … j into triangles, by the one on the side from i to j.
+std::vector<Triangulation> triangulations(int i, int j) {
+  if (j - i < 2) return {{}};
+  std::vector<Triangulation> all;
+  for (int k = i + 1; k < j; ++k) {
+    const std::vector<Triangulation> right = triangulations(k, j);
+    for (const Triangulation& left : triangulations(i, k)) {
+      for (const Triangulation& rest : right) {
+        Triangulation one = left;
+        one.insert(one.end(), rest.begin(), rest.end());
+        one.push_back({i, k, j});
+        all.push_back(std::move(one));
       }
     }
-    return all;
-  };
-  if (known[n].empty()) known[n] = between(between, 0, static_cast<int>(n) - 1);
-  return known[n];
+  }
+  return all;
 }
 
 class Reconnector {
  public:
   Reconnector(const CellMesh& mesh, int first) : mesh_(mesh), points_(mesh.points), first_(first) {
     geometry_ = cell_geometries(mesh);
+    for (std::size_t n = 3; n <= largest_ring; ++n) {
+      triangulations_[n] = triangulations(0, static_cast<int>(n) - 1);
+    }
     for (int c = first; c < mesh.cells(); ++c) {
       const auto corners = mesh.corners(c);
       tets_.push_back({corners[0], corners[1], corners[2], corners[3]});
@@ -288,7 +288,7 @@ class Reconnector {
     if (ring.size() != cavity.size()) return;
     const std::vector<Wall> walls = walls_of(cavity);
     const double before = cost_of(tets_of(cavity), walls, std::numeric_limits<double>::max());
-    for (const auto& triangles : triangulations(ring.size())) {
+    for (const Triangulation& triangles : triangulations_[ring.size()]) {
       std::vector<Tet> tets;
       for (const auto& [i, j, k] : triangles) {
         tets.push_back({ring[i], ring[j], ring[k], b});
@@ -358,6 +358,7 @@ class Reconnector {
   std::vector<char> alive_;
   std::vector<CellGeometry> geometry_;
   std::vector<std::vector<int>> cells_of_vertex_;
+  std::array<std::vector<Triangulation>, largest_ring + 1> triangulations_;  // by corners
   double best_gain_cost_ = 0.0;
   std::vector<Tet> best_tets_;
   std::vector<int> best_cavity_;
