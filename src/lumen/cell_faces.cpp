@@ -101,17 +101,17 @@ FacesByVertex grouped_faces(const CellMesh& mesh) {
   return groups;
 }
 
+std::string cells_of(const LocalFace& a, const LocalFace& b) {
+  return "cells " + std::to_string(a.cell) + " and " + std::to_string(b.cell);
+}
+
 void join(const CellMesh& mesh, const LocalFace& a, const LocalFace& b,
           CellFaceValues& neighbours) {
-  int& of_a = neighbours[a.cell][a.local];
-  int& of_b = neighbours[b.cell][b.local];
-  const std::string cells = "cells " + std::to_string(a.cell) + " and " + std::to_string(b.cell);
-  if (of_a >= 0 || of_b >= 0) inconsistent(cells + " share a face with a third cell");
   if (from_smallest(cell_face(mesh, a.cell, a.local)) !=
       from_smallest(reversed(cell_face(mesh, b.cell, b.local))))
-    inconsistent(cells + " lie on the same side of their common face");
-  of_a = b.cell;
-  of_b = a.cell;
+    inconsistent(cells_of(a, b) + " lie on the same side of their common face");
+  neighbours[a.cell][a.local] = b.cell;
+  neighbours[b.cell][b.local] = a.cell;
 }
 
 void check_boundary(const CellMesh& mesh, const CellFaceValues& neighbours,
@@ -287,9 +287,11 @@ CellFaceValues neighbours_of_cells(const CellMesh& mesh) {
   check_vertices(mesh);
   CellFaceValues neighbours(mesh.shape.size(), no_faces);
   const std::vector<KeyedFace> faces = grouped_faces(mesh).faces;
-  for (std::size_t i = 0; i < faces.size(); ++i)
-    for (std::size_t j = i + 1; j < faces.size() && faces[j].key == faces[i].key; ++j)
-      join(mesh, faces[i].face, faces[j].face, neighbours);
+  for (std::size_t i = 0; i + 2 < faces.size(); ++i)
+    if (faces[i].key == faces[i + 2].key)
+      inconsistent(cells_of(faces[i].face, faces[i + 1].face) + " share a face with a third cell");
+  for (std::size_t i = 0; i + 1 < faces.size(); ++i)
+    if (faces[i].key == faces[i + 1].key) join(mesh, faces[i].face, faces[i + 1].face, neighbours);
   return neighbours;
 }
 
