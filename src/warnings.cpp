@@ -12,7 +12,7 @@ namespace {
 constexpr double noticeable_missing_area = 0.02;
 // Rims off their planes by less, relative to their radii, look flat.
 constexpr double noticeable_deviation = 0.01;
-// Solvers of every kind are at ease above this scaled Jacobian.
+// The scaled Jacobian that hexes are held to where their quads allow it.
 constexpr double poor_quad = 0.2;
 
 void add_thickness_warning(PipelineResult& r, const ThicknessResult& side,
