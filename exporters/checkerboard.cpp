@@ -25,14 +25,14 @@ std::vector<double> loop_lengths(const FormSolution& s) {
   return lengths;
 }
 
-PolyData board(const PipelineResult& r, Eigen::VectorXd lambda) {
+PolyData board(const PipelineResult& r, const LaplaceSolver& laplace, Eigen::VectorXd lambda) {
   const FormSolution& s = r.solution;
   const double tile = std::sqrt(total_area(s.refined.surface) / tiles);
   for (double& period : lambda) {
     const double pairs = std::max(1.0, std::round(std::abs(period) / (2.0 * tile)));
     period = std::copysign(2.0 * tile * pairs, period);
   }
-  const HolomorphicForm form = combine(s.connectivity, s.basis, lambda);
+  const HolomorphicForm form = combine(s.connectivity, laplace, s.basis, lambda);
   std::vector<double> uv = form_at_corners(s, form);
   for (double& x : uv) x /= tile;
   PolyData data = separate_triangles(s.refined.surface);
@@ -47,7 +47,8 @@ Checkerboards checkerboards(const PipelineResult& r) {
   const FormSolution& s = r.solution;
   const Descent& best = s.optimum.descents[s.optimum.best];
   const Eigen::VectorXd start = balanced_start(best.signs, loop_lengths(s), s.basis.exterior);
-  return {board(r, start), board(r, s.optimum.lambda), best.iterations.front()};
+  const auto laplace = laplace_of(s);
+  return {board(r, *laplace, start), board(r, *laplace, s.optimum.lambda), best.iterations.front()};
 }
 
 }  // namespace hexwall

@@ -191,18 +191,21 @@ PolyData quad_data(const PipelineResult& r) {
 
 PolyData basis_data(const PipelineResult& r) {
   const TriangleSurface& surface = r.solution.refined.surface;
-  const Eigen::MatrixXd g = potentials(r.solution.basis);
+  const HolomorphicBasis& basis = r.solution.basis;
+  const Eigen::MatrixXd g = potentials(basis);
+  const PeriodicForms periodic =
+      periodic_forms(r.solution.connectivity, *laplace_of(r.solution), basis);
   PolyData data = separate_triangles(surface);
-  for (int i = 0; i < r.solution.basis.size(); ++i) {
-    const std::string loop = loop_name(r, r.solution.basis.loop(i));
-    std::vector<double> x = integrate(r.solution.connectivity, r.solution.basis.omega_form(i));
+  for (int i = 0; i < basis.size(); ++i) {
+    const std::string loop = loop_name(r, basis.loop(i));
+    std::vector<double> x = integrate(r.solution.connectivity, periodic.form(i));
     const std::vector<double> y = at_corners(surface, g.col(i));
     std::vector<double> phi = interleaved(x, y);
-    data.point_arrays.push_back({"f_" + loop, 1, at_corners(surface, r.solution.basis.f.col(i))});
+    data.point_arrays.push_back({"f_" + loop, 1, at_corners(surface, basis.f.col(i))});
     data.point_arrays.push_back({"omega_" + loop, 1, std::move(x)});
     data.point_arrays.push_back({"phi_" + loop, 2, std::move(phi)});
   }
-  data.texture_coordinates = "phi_" + loop_name(r, r.solution.basis.loop(0));
+  data.texture_coordinates = "phi_" + loop_name(r, basis.loop(0));
   return data;
 }
 

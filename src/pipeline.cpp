@@ -128,6 +128,7 @@ void find_form(PipelineResult& r) {
     found = place_poles_at(problem, std::move(found.solution), poles.places);
   }
   r.solution = std::move(found.solution);
+  r.solution.laplace.reset();
   r.poles = std::move(found.poles);
 }
 

@@ -258,8 +258,8 @@ nlohmann::ordered_json make_report(const PipelineResult& r, const ReportContext&
                        {"flips", r.solution.refined.flips},
                        {"negative_edges", r.solution.refined.negative_edges}};
   report["basis"] = {{"forms", r.solution.basis.size()},
-                     {"error", r.solution.basis.error},
-                     {"factor_nonzeros", r.solution.basis.factor_nonzeros}};
+                     {"error", r.solution.form.error},
+                     {"factor_nonzeros", r.solution.factor_nonzeros}};
   report["energy"] = energy_json(r.solution.optimum);
   report["energy"]["off_size_area_fraction"] = r.solution.off_size_share;
   report["poles"] = poles_json(r);
@@ -280,7 +280,7 @@ std::string summary(const PipelineResult& r, const std::string& units) {
   line("surface", fmt::format("{} vertices, {} triangles, {} openings", r.surface.points.size(),
                               r.surface.triangles.size(), r.openings.size()));
   line("form", fmt::format("energy {:.4f}, basis error {:.1e}, zeros of order {} in all, {}, {}",
-                           r.solution.optimum.energy, r.solution.basis.error,
+                           r.solution.optimum.energy, r.solution.form.error,
                            0.5 * r.foliation.doubled_order(),
                            counted(r.foliation.cylinders.size(), "cylinder"),
                            counted(r.foliation.strips.count(), "strip")));

@@ -22,7 +22,7 @@ const std::vector<ReportKey>& report_keys() {
       {"refined.{vertices,faces,splits,flips,negative_edges}",
        "Delaunay refinement; edges with negative weights that are left (0)"},
       {"basis.forms", "number of basis forms: openings and poles − 1"},
-      {"basis.error", "discretisation error: max|Gram·Capacity − I|"},
+      {"basis.error", "discretisation error: Dirichlet energy of x over that of y, minus one"},
       {"basis.factor_nonzeros", "nonzeros of the Cholesky factors"},
       {"energy.normalized", "area distortion E/Σ|Δ|² of the optimum"},
       {"energy.best_start", "index of the start that led to it"},

@@ -1,91 +1,247 @@
 #include "dec/laplace.h"
 
+#include <algorithm>
+#include <numeric>
 #include <utility>
+#include <vector>
 
-#include <Eigen/CholmodSupport>
-#include <Eigen/SparseCore>
+#include <cholmod.h>
 
 #include "core/errors.h"
+#include "core/parallel.h"
 
 namespace hexwall {
+namespace {
 
-struct LaplaceSolver::Implementation {
-  using Matrix = Eigen::SparseMatrix<double>;
+// Right-hand sides are solved by as many; CHOLMOD itself takes four at a time.
+constexpr Eigen::Index block_columns = 4;
 
-  std::vector<int> free_vertices;  // row of the reduced matrix -> vertex
-  std::vector<bool> fixed;
-  Matrix coupling;  // free x #V block that multiplies the fixed values
-  // Simplicial: measured faster than supernodal at these sizes, and independent of BLAS threads.
-  Eigen::CholmodSimplicialLLT<Matrix, Eigen::Lower> factor;
+/// CHOLMOD's workspace. Not for two threads at once.
+class Workspace {
+ public:
+  Workspace() {
+    cholmod_start(&common_);
+    common_.print = 0;  // failures are thrown, not printed
+    // Measured faster than supernodal at these sizes, and independent of the BLAS.
+    common_.supernodal = CHOLMOD_SIMPLICIAL;
+    common_.final_ll = 1;
+  }
+  ~Workspace() { cholmod_finish(&common_); }
+  Workspace(const Workspace&) = delete;
+  Workspace& operator=(const Workspace&) = delete;
 
-  void assemble(const Connectivity& mesh, const Eigen::VectorXd& star1);
+  cholmod_common* get() { return &common_; }
+
+ private:
+  cholmod_common common_;
 };
 
-void LaplaceSolver::Implementation::assemble(const Connectivity& mesh,
-                                             const Eigen::VectorXd& star1) {
-  std::vector<int> row(mesh.vertex_count(), -1);
-  for (int v = 0; v < mesh.vertex_count(); ++v) {
-    if (fixed[v] || mesh.outgoing(v) < 0) continue;
-    row[v] = static_cast<int>(free_vertices.size());
-    free_vertices.push_back(v);
+template <auto free_object>
+struct Free {
+  cholmod_common* common;
+  template <class T>
+  void operator()(T* object) const {
+    free_object(&object, common);
   }
-  const int size = static_cast<int>(free_vertices.size());
-  coupling.resize(size, mesh.vertex_count());
-  if (size == 0) return;  // CHOLMOD takes no empty matrices
-  std::vector<Eigen::Triplet<double>> inner;
-  std::vector<Eigen::Triplet<double>> outer;
-  inner.reserve(3 * mesh.edge_count());
-  for (int e = 0; e < mesh.edge_count(); ++e) {
-    const int a = mesh.tail(mesh.halfedge(e));
-    const int b = mesh.tip(mesh.halfedge(e));
-    const double w = star1[e];
-    if (row[a] >= 0) inner.emplace_back(row[a], row[a], w);
-    if (row[b] >= 0) inner.emplace_back(row[b], row[b], w);
-    if (row[a] >= 0 && row[b] >= 0) {
-      inner.emplace_back(std::max(row[a], row[b]), std::min(row[a], row[b]), -w);
-    } else if (row[a] >= 0) {
-      outer.emplace_back(row[a], b, w);
-    } else if (row[b] >= 0) {
-      outer.emplace_back(row[b], a, w);
-    }
+};
+using Sparse = std::unique_ptr<cholmod_sparse, Free<cholmod_free_sparse>>;
+using Factor = std::unique_ptr<cholmod_factor, Free<cholmod_free_factor>>;
+using Dense = std::unique_ptr<cholmod_dense, Free<cholmod_free_dense>>;
+
+/// Takes over one of CHOLMOD's objects.
+template <class Owner>
+Owner owned(typename Owner::pointer object, Workspace& workspace) {
+  if (object == nullptr) {
+    throw Error(ExitCode::internal, "no memory left to solve for harmonic functions");
   }
-  Matrix matrix(size, size);
-  matrix.setFromTriplets(inner.begin(), inner.end());
-  coupling.setFromTriplets(outer.begin(), outer.end());
-  factor.cholmod().print = 0;  // failures are thrown, not printed
-  factor.compute(matrix);
-  if (factor.info() != Eigen::Success) {
-    throw Error(ExitCode::internal, "the Laplacian of the surface is not positive definite");
-  }
+  return Owner(object, {workspace.get()});
 }
 
-LaplaceSolver::LaplaceSolver(const Connectivity& mesh, const Eigen::VectorXd& star1,
-                             std::vector<bool> fixed)
+cholmod_dense as_dense(Eigen::MatrixXd& matrix) {
+  const auto rows = static_cast<std::size_t>(matrix.rows());
+  const auto columns = static_cast<std::size_t>(matrix.cols());
+  return {rows,    columns,        rows * columns, rows, matrix.data(),
+          nullptr, CHOLMOD_REAL, CHOLMOD_DOUBLE};
+}
+
+}  // namespace
+
+struct LaplaceSolver::Implementation {
+  Eigen::VectorXd star1;
+  std::vector<int> vertices;  // row of the matrix -> vertex: the interior, then the boundary
+  int interior = 0;           // rows of interior vertices
+  struct Coupling {
+    int interior, boundary;  // vertices of an edge
+    double weight;
+  };
+  std::vector<Coupling> coupling;
+  Workspace workspace;
+  Factor factor{nullptr, {}};
+  std::vector<int> order;     // row of the factor -> vertex
+  std::vector<int> boundary;  // all boundary vertices
+  long nonzeros = 0;
+
+  void number_rows(const Connectivity& mesh);
+  Sparse assemble(const Connectivity& mesh);
+  void factorise(const Sparse& matrix);
+  // Solves for the columns of `x`, #V x k, in place; rows that are none of the matrix become zero.
+  void solve(Eigen::MatrixXd& x, bool dirichlet) const;
+  void solve_block(Eigen::Ref<Eigen::MatrixXd> x, bool dirichlet) const;
+};
+
+void LaplaceSolver::Implementation::number_rows(const Connectivity& mesh) {
+  for (int v = 0; v < mesh.vertex_count(); ++v) {
+    if (mesh.outgoing(v) >= 0 && !mesh.is_boundary_vertex(v)) vertices.push_back(v);
+  }
+  interior = static_cast<int>(vertices.size());
+  for (const auto& loop : mesh.loops()) boundary.insert(boundary.end(), loop.begin(), loop.end());
+  // The constants are the kernel: it is removed by fixing the first vertex.
+  if (!boundary.empty()) vertices.insert(vertices.end(), boundary.begin() + 1, boundary.end());
+}
+
+// The lower triangle, column by column, each starting with its diagonal.
+Sparse LaplaceSolver::Implementation::assemble(const Connectivity& mesh) {
+  const int size = static_cast<int>(vertices.size());
+  std::vector<int> row(mesh.vertex_count(), -1);
+  for (int i = 0; i < size; ++i) row[vertices[i]] = i;
+  const auto for_entries = [&](auto visit) {
+    for (int e = 0; e < mesh.edge_count(); ++e) {
+      const int a = row[mesh.tail(mesh.halfedge(e))];
+      const int b = row[mesh.tip(mesh.halfedge(e))];
+      if (a >= 0 && b >= 0) visit(e, std::min(a, b), std::max(a, b));
+    }
+  };
+  std::vector<int> start(size + 1, 1);
+  start[0] = 0;
+  for_entries([&](int, int column, int) { ++start[column + 1]; });
+  std::partial_sum(start.begin(), start.end(), start.begin());
+  auto matrix = owned<Sparse>(
+      cholmod_allocate_sparse(size, size, start.back(), 0, 1, -1, CHOLMOD_REAL, workspace.get()),
+      workspace);
+  std::copy(start.begin(), start.end(), static_cast<int*>(matrix->p));
+  int* const index = static_cast<int*>(matrix->i);
+  double* const value = static_cast<double*>(matrix->x);
+  for (int i = 0; i < size; ++i) {
+    index[start[i]] = i;
+    value[start[i]] = 0.0;
+  }
+  for (int e = 0; e < mesh.edge_count(); ++e) {
+    for (const int v : {mesh.tail(mesh.halfedge(e)), mesh.tip(mesh.halfedge(e))}) {
+      if (row[v] >= 0) value[start[row[v]]] += star1[e];
+    }
+  }
+  std::vector<int> next = start;
+  for_entries([&](int e, int column, int i) {
+    const int place = ++next[column];
+    index[place] = i;
+    value[place] = -star1[e];
+  });
+  return matrix;
+}
+
+void LaplaceSolver::Implementation::factorise(const Sparse& matrix) {
+  const auto size = matrix->nrow;
+  std::vector<int> group(size, 0);
+  std::fill(group.begin() + interior, group.end(), 1);
+  std::vector<int> permutation(size);
+  cholmod_camd(matrix.get(), nullptr, 0, group.data(), permutation.data(), workspace.get());
+  cholmod_common& common = *workspace.get();
+  common.nmethods = 1;
+  common.method[0].ordering = CHOLMOD_GIVEN;
+  common.postorder = 0;  // keeps the groups apart
+  factor = owned<Factor>(
+      cholmod_analyze_p(matrix.get(), permutation.data(), nullptr, 0, &common), workspace);
+  cholmod_factorize(matrix.get(), factor.get(), &common);
+  if (common.status != CHOLMOD_OK) {
+    throw Error(ExitCode::internal, "the Laplacian of the surface is not positive definite");
+  }
+  nonzeros = static_cast<long>(common.lnz);
+  const int* const rows = static_cast<const int*>(factor->Perm);
+  for (std::size_t i = 0; i < size; ++i) order.push_back(vertices[rows[i]]);
+}
+
+void LaplaceSolver::Implementation::solve_block(Eigen::Ref<Eigen::MatrixXd> x,
+                                                bool dirichlet) const {
+  const auto size = static_cast<Eigen::Index>(order.size());
+  const Eigen::Index rows = dirichlet ? interior : size;
+  Eigen::MatrixXd permuted = Eigen::MatrixXd::Zero(size, x.cols());
+  for (Eigen::Index i = 0; i < rows; ++i) permuted.row(i) = x.row(order[i]);
+  Workspace own;
+  cholmod_dense rhs = as_dense(permuted);
+  const auto forward =
+      owned<Dense>(cholmod_solve(CHOLMOD_L, factor.get(), &rhs, own.get()), own);
+  // Without its last rows the intermediate vector is that of the leading block.
+  double* const values = static_cast<double*>(forward->x);
+  for (Eigen::Index k = 0; k < x.cols(); ++k) {
+    std::fill(values + k * size + rows, values + (k + 1) * size, 0.0);
+  }
+  const auto solution =
+      owned<Dense>(cholmod_solve(CHOLMOD_Lt, factor.get(), forward.get(), own.get()), own);
+  const Eigen::Map<const Eigen::MatrixXd> u(static_cast<const double*>(solution->x), size,
+                                            x.cols());
+  x.setZero();
+  for (Eigen::Index i = 0; i < rows; ++i) x.row(order[i]) = u.row(i);
+}
+
+void LaplaceSolver::Implementation::solve(Eigen::MatrixXd& x, bool dirichlet) const {
+  if (order.empty() || (dirichlet && interior == 0)) {
+    x.setZero();
+    return;
+  }
+  const Eigen::Index blocks = (x.cols() + block_columns - 1) / block_columns;
+  parallel_tasks(static_cast<std::size_t>(blocks), [&](std::size_t i) {
+    const Eigen::Index first = static_cast<Eigen::Index>(i) * block_columns;
+    solve_block(x.middleCols(first, std::min(block_columns, x.cols() - first)), dirichlet);
+  });
+}
+
+LaplaceSolver::LaplaceSolver(const Connectivity& mesh, Eigen::VectorXd star1)
     : implementation_(std::make_unique<Implementation>()) {
-  implementation_->fixed = std::move(fixed);
-  implementation_->assemble(mesh, star1);
+  Implementation& s = *implementation_;
+  s.star1 = std::move(star1);
+  s.number_rows(mesh);
+  if (s.vertices.empty()) return;
+  s.factorise(s.assemble(mesh));
+  for (int e = 0; e < mesh.edge_count(); ++e) {
+    int a = mesh.tail(mesh.halfedge(e));
+    int b = mesh.tip(mesh.halfedge(e));
+    if (mesh.is_boundary_vertex(a) == mesh.is_boundary_vertex(b)) continue;
+    if (mesh.is_boundary_vertex(a)) std::swap(a, b);
+    s.coupling.push_back({a, b, s.star1[e]});
+  }
 }
 
 LaplaceSolver::~LaplaceSolver() = default;
 LaplaceSolver::LaplaceSolver(LaplaceSolver&&) noexcept = default;
 LaplaceSolver& LaplaceSolver::operator=(LaplaceSolver&&) noexcept = default;
 
-Eigen::MatrixXd LaplaceSolver::solve(const Eigen::MatrixXd& rhs,
-                                     const Eigen::MatrixXd& boundary) const {
+Eigen::MatrixXd LaplaceSolver::solve_dirichlet(const Eigen::MatrixXd& rhs) const {
+  Eigen::MatrixXd u = rhs;
+  implementation_->solve(u, true);
+  return u;
+}
+
+Eigen::MatrixXd LaplaceSolver::harmonic_extension(const Eigen::MatrixXd& boundary) const {
   const Implementation& s = *implementation_;
-  if (s.free_vertices.empty()) return boundary;
-  Eigen::MatrixXd reduced = s.coupling * boundary;
-  const int size = static_cast<int>(s.free_vertices.size());
-  for (int i = 0; i < size; ++i) reduced.row(i) += rhs.row(s.free_vertices[i]);
-  const Eigen::MatrixXd inner = s.factor.solve(reduced);
-  Eigen::MatrixXd solution = boundary;
-  for (int i = 0; i < size; ++i) solution.row(s.free_vertices[i]) = inner.row(i);
-  return solution;
+  Eigen::MatrixXd u = Eigen::MatrixXd::Zero(boundary.rows(), boundary.cols());
+  for (const auto& c : s.coupling) u.row(c.interior) += c.weight * boundary.row(c.boundary);
+  s.solve(u, true);
+  for (const int v : s.boundary) u.row(v) = boundary.row(v);
+  return u;
+}
+
+Eigen::MatrixXd LaplaceSolver::solve_neumann(const Eigen::MatrixXd& rhs) const {
+  Eigen::MatrixXd u = rhs;
+  implementation_->solve(u, false);
+  return u;
 }
 
 long LaplaceSolver::factor_nonzeros() const {
-  if (implementation_->free_vertices.empty()) return 0;
-  return static_cast<long>(implementation_->factor.cholmod().lnz);
+  return implementation_->nonzeros;
+}
+
+const Eigen::VectorXd& LaplaceSolver::star1() const {
+  return implementation_->star1;
 }
 
 }  // namespace hexwall

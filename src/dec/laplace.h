@@ -1,7 +1,6 @@
 #pragma once
 
 #include <memory>
-#include <vector>
 
 #include <Eigen/Core>
 
@@ -9,25 +8,34 @@
 
 namespace hexwall {
 
-/// The sparse Cholesky factor of a weighted graph Laplacian d0^T star1 d0 with the rows and columns
-/// of fixed vertices removed. Factorised once, then solves any number of right-hand sides.
+/// The sparse Cholesky factor of the weighted graph Laplacian L = d0^T star1 d0 of a mesh with
+/// boundary. Boundary vertices are eliminated last: the leading block is then the factor of the
+/// Dirichlet problem, and all of it that of the Neumann problem, so that one factorisation serves
+/// both. Solves any number of right-hand sides, in blocks, in parallel.
 class LaplaceSolver {
  public:
   /// \param star1 #E cotangent weights, as of `star1`.
-  /// \param fixed #V, true where the solution is given. At least one vertex.
-  /// \throws Error(internal) if the matrix is not positive definite.
-  LaplaceSolver(const Connectivity& mesh, const Eigen::VectorXd& star1, std::vector<bool> fixed);
+  /// \throws Error(internal) if the matrix is not positive definite but for the constants.
+  LaplaceSolver(const Connectivity& mesh, Eigen::VectorXd star1);
   ~LaplaceSolver();
   LaplaceSolver(LaplaceSolver&&) noexcept;
   LaplaceSolver& operator=(LaplaceSolver&&) noexcept;
 
-  /// Solves L u = rhs at the free vertices, with u = `boundary` at the fixed ones.
-  /// \param rhs, boundary #V x k; rows of fixed vertices in `rhs` and of free ones in `boundary`
-  /// are ignored.
-  Eigen::MatrixXd solve(const Eigen::MatrixXd& rhs, const Eigen::MatrixXd& boundary) const;
+  /// The functions with L u = rhs at interior vertices and u = 0 at the boundary.
+  /// \param rhs #V x k; its rows of boundary vertices are ignored.
+  Eigen::MatrixXd solve_dirichlet(const Eigen::MatrixXd& rhs) const;
+
+  /// The functions with L u = 0 at interior vertices that are `boundary` at the boundary.
+  /// \param boundary #V x k; its rows of interior vertices are ignored.
+  Eigen::MatrixXd harmonic_extension(const Eigen::MatrixXd& boundary) const;
+
+  /// The functions with L u = rhs at every vertex, which is the natural boundary condition, and
+  /// u = 0 at the first vertex of the first loop. \param rhs #V x k, each column summing to zero.
+  Eigen::MatrixXd solve_neumann(const Eigen::MatrixXd& rhs) const;
 
   /// Number of nonzeros of the factor.
   long factor_nonzeros() const;
+  const Eigen::VectorXd& star1() const;  ///< #E
 
  private:
   struct Implementation;

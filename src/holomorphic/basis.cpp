@@ -1,8 +1,8 @@
 #include "holomorphic/basis.h"
 
+#include <algorithm>
 #include <vector>
 
-#include "dec/laplace.h"
 
 namespace hexwall {
 namespace {
@@ -41,63 +41,54 @@ Eigen::MatrixXd divergence(const Connectivity& mesh, const Eigen::VectorXd& star
   return result;
 }
 
-Eigen::MatrixXd differential(const Connectivity& mesh, const Eigen::MatrixXd& f) {
-  Eigen::MatrixXd df(mesh.edge_count(), f.cols());
+void add_differential(const Connectivity& mesh, const Eigen::MatrixXd& f, Eigen::MatrixXd& eta) {
   for (int e = 0; e < mesh.edge_count(); ++e) {
-    df.row(e) = f.row(mesh.tip(mesh.halfedge(e))) - f.row(mesh.tail(mesh.halfedge(e)));
+    eta.row(e) += f.row(mesh.tip(mesh.halfedge(e))) - f.row(mesh.tail(mesh.halfedge(e)));
   }
-  return df;
 }
 
-void solve_exact_forms(const Connectivity& mesh, const Eigen::VectorXd& star1,
-                       HolomorphicBasis& basis) {
-  const int n = static_cast<int>(mesh.loops().size()) - 1;
-  std::vector<bool> fixed(mesh.vertex_count());
-  Eigen::MatrixXd boundary = Eigen::MatrixXd::Zero(mesh.vertex_count(), n);
-  for (int v = 0; v < mesh.vertex_count(); ++v) fixed[v] = mesh.is_boundary_vertex(v);
-  for (int i = 0; i < n; ++i) {
-    for (const int v : mesh.loops()[basis.loop(i)]) boundary(v, i) = 1.0;
+// df^T star1 df, edge by edge: the differentials themselves are never kept.
+Eigen::MatrixXd dirichlet_energy(const Connectivity& mesh, const Eigen::VectorXd& star1,
+                                 const Eigen::MatrixXd& f) {
+  constexpr int chunk = 1024;
+  Eigen::MatrixXd energy = Eigen::MatrixXd::Zero(f.cols(), f.cols());
+  Eigen::MatrixXd df(chunk, f.cols());
+  for (int first = 0; first < mesh.edge_count(); first += chunk) {
+    const int count = std::min(chunk, mesh.edge_count() - first);
+    for (int i = 0; i < count; ++i) {
+      const int h = mesh.halfedge(first + i);
+      df.row(i) = f.row(mesh.tip(h)) - f.row(mesh.tail(h));
+    }
+    energy += df.topRows(count).transpose() * star1.segment(first, count).asDiagonal() *
+              df.topRows(count);
   }
-  const LaplaceSolver solver(mesh, star1, std::move(fixed));
-  basis.f = solver.solve(Eigen::MatrixXd::Zero(mesh.vertex_count(), n), boundary);
-  basis.factor_nonzeros += solver.factor_nonzeros();
-  const Eigen::MatrixXd df = differential(mesh, basis.f);
-  basis.capacity = df.transpose() * star1.asDiagonal() * df;
-}
-
-// omega_i = eta_i + dh_i with sum_k w_jk (h_k - h_j) = -sum_k w_jk eta_i(jk) at every vertex j,
-// boundary included (natural boundary condition): corrected (4.5).
-void solve_periodic_forms(const Connectivity& mesh, const Eigen::VectorXd& star1,
-                          HolomorphicBasis& basis) {
-  const Eigen::MatrixXd eta = closed_forms_with_unit_periods(mesh, basis.exterior);
-  // The constant functions are the kernel: it is removed by fixing h at one vertex.
-  std::vector<bool> fixed(mesh.vertex_count(), false);
-  fixed[mesh.loops()[basis.exterior].front()] = true;
-  const LaplaceSolver solver(mesh, star1, std::move(fixed));
-  const Eigen::MatrixXd h = solver.solve(divergence(mesh, star1, eta),
-                                         Eigen::MatrixXd::Zero(mesh.vertex_count(), eta.cols()));
-  basis.factor_nonzeros += solver.factor_nonzeros();
-  basis.omega = eta + differential(mesh, h);
-  basis.gram = basis.omega.transpose() * star1.asDiagonal() * basis.omega;
+  return energy;
 }
 
 }  // namespace
 
-Eigen::MatrixXd closed_forms_with_unit_periods(const Connectivity& mesh, int exterior) {
-  const int n = static_cast<int>(mesh.loops().size()) - 1;
+Eigen::MatrixXd closed_forms(const Connectivity& mesh, int exterior,
+                             const Eigen::MatrixXd& lambda) {
   const std::vector<int> exit = triangle_tree(mesh, exterior);
-  Eigen::MatrixXd eta = Eigen::MatrixXd::Zero(mesh.edge_count(), n);
-  for (int i = 0; i < n; ++i) {
+  Eigen::MatrixXd eta = Eigen::MatrixXd::Zero(mesh.edge_count(), lambda.cols());
+  for (int i = 0; i < lambda.rows(); ++i) {
     const int loop = i < exterior ? i : i + 1;
     const int entry = mesh.outgoing(mesh.loops()[loop].front());
-    eta(mesh.edge(entry), i) += mesh.sign(entry);
+    eta.row(mesh.edge(entry)) += mesh.sign(entry) * lambda.row(i);
     for (int f = Connectivity::face(entry);;) {
       const int h = exit[f];
-      eta(mesh.edge(h), i) -= mesh.sign(h);
+      eta.row(mesh.edge(h)) -= mesh.sign(h) * lambda.row(i);
       if (mesh.twin(h) < 0) break;
       f = Connectivity::face(mesh.twin(h));
     }
   }
+  return eta;
+}
+
+Eigen::MatrixXd coclosed(const Connectivity& mesh, const LaplaceSolver& laplace,
+                         Eigen::MatrixXd eta) {
+  const Eigen::MatrixXd h = laplace.solve_neumann(divergence(mesh, laplace.star1(), eta));
+  add_differential(mesh, h, eta);
   return eta;
 }
 
@@ -107,16 +98,29 @@ double period(const Connectivity& mesh, const OneForm& omega, int loop) {
   return sum;
 }
 
-HolomorphicBasis holomorphic_basis(const Connectivity& mesh, const Eigen::VectorXd& star1,
+HolomorphicBasis holomorphic_basis(const Connectivity& mesh, const LaplaceSolver& laplace,
                                    int exterior) {
   HolomorphicBasis basis;
   basis.exterior = exterior;
-  solve_exact_forms(mesh, star1, basis);
-  solve_periodic_forms(mesh, star1, basis);
-  const int n = basis.size();
-  basis.error =
-      (basis.gram * basis.capacity - Eigen::MatrixXd::Identity(n, n)).cwiseAbs().maxCoeff();
+  const int n = static_cast<int>(mesh.loops().size()) - 1;
+  Eigen::MatrixXd boundary = Eigen::MatrixXd::Zero(mesh.vertex_count(), n);
+  for (int i = 0; i < n; ++i) {
+    for (const int v : mesh.loops()[basis.loop(i)]) boundary(v, i) = 1.0;
+  }
+  basis.f = laplace.harmonic_extension(boundary);
+  basis.capacity = dirichlet_energy(mesh, laplace.star1(), basis.f);
   return basis;
+}
+
+PeriodicForms periodic_forms(const Connectivity& mesh, const LaplaceSolver& laplace,
+                             const HolomorphicBasis& basis) {
+  const int n = basis.size();
+  const Eigen::MatrixXd unit = Eigen::MatrixXd::Identity(n, n);
+  PeriodicForms forms;
+  forms.omega = coclosed(mesh, laplace, closed_forms(mesh, basis.exterior, unit));
+  forms.gram = forms.omega.transpose() * laplace.star1().asDiagonal() * forms.omega;
+  forms.error = (forms.gram * basis.capacity - unit).cwiseAbs().maxCoeff();
+  return forms;
 }
 
 }  // namespace hexwall

@@ -12,8 +12,6 @@
 
 #include "core/errors.h"
 #include "core/parallel.h"
-#include "dec/laplace.h"
-#include "dec/operators.h"
 #include "holomorphic/energy.h"
 #include "holomorphic/optimum.h"
 #include "surface/loop_shape.h"
@@ -116,9 +114,7 @@ class Judge {
       : problem_(problem),
         s_(solution),
         left_out_(left_out_radius * region_radius),
-        g_(potentials(solution.basis)),
-        solver_(solution.connectivity, star1(solution.refined.surface, solution.connectivity),
-                boundary()) {
+        g_(potentials(solution.basis)) {
     choose_triangles();
     for (const auto& loop : solution.connectivity.loops()) {
       lengths_.push_back(loop_shape(points_of(solution.refined.surface, loop)).length);
@@ -146,14 +142,6 @@ class Judge {
   }
 
  private:
-  std::vector<bool> boundary() const {
-    std::vector<bool> fixed(s_.connectivity.vertex_count());
-    for (int v = 0; v < s_.connectivity.vertex_count(); ++v) {
-      fixed[v] = s_.connectivity.is_boundary_vertex(v);
-    }
-    return fixed;
-  }
-
   // Unit charges whose flux leaves through the exterior loop alone: the Dirichlet solution u loses
   // f_i(v) through loop i (its harmonic measure); f Capacity^-1 f(v) brings that back.
   Eigen::MatrixXd charge_potentials(const Eigen::MatrixXd& charges,
@@ -162,8 +150,7 @@ class Judge {
     for (Eigen::Index i = 0; i < charges.cols(); ++i) {
       harmonic_measure.col(i) = s_.basis.f.row(vertices[i]).transpose();
     }
-    const Eigen::MatrixXd u =
-        solver_.solve(charges, Eigen::MatrixXd::Zero(charges.rows(), charges.cols()));
+    const Eigen::MatrixXd u = s_.laplace->solve_dirichlet(charges);
     return -(u + s_.basis.f * s_.basis.capacity.llt().solve(harmonic_measure));
   }
 
@@ -295,7 +282,6 @@ class Judge {
   Eigen::VectorXd rho_;          // of the judged triangles
   std::vector<double> lengths_;  // of the loops, and of one around the blind region
   Eigen::MatrixXd g_;
-  LaplaceSolver solver_;
 };
 
 std::vector<std::vector<int>> one_by_one(const std::vector<int>& vertices) {

@@ -126,6 +126,11 @@ Eigen::VectorXd sizing_weights(const Eigen::VectorXd& edge) {
   return edge.cwiseAbs2().cwiseInverse();
 }
 
+std::shared_ptr<const LaplaceSolver> laplace_of(const FormSolution& s) {
+  return std::make_shared<const LaplaceSolver>(s.connectivity,
+                                               star1(s.refined.surface, s.connectivity));
+}
+
 FormSolution solve_form(const FormProblem& problem) {
   return solve_form(problem, {}, *puncture(problem.surface, {}));
 }
@@ -136,14 +141,16 @@ FormSolution solve_form(const FormProblem& problem, const std::vector<SurfaceDis
   FormSolution s;
   s.disks = disks;
   refine(problem, std::move(punctured), s);
-  s.basis = holomorphic_basis(s.connectivity, star1(s.refined.surface, s.connectivity));
+  s.laplace = laplace_of(s);
+  s.factor_nonzeros = s.laplace->factor_nonzeros();
+  s.basis = holomorphic_basis(s.connectivity, *s.laplace);
   const Eigen::VectorXd rho = sizing_weights(problem.edge);
   const Eigen::MatrixXd g = potentials(s.basis);
   const auto face_count = static_cast<int>(problem.surface.triangles.size());
   const AreaEnergyInput input{s.refined.surface, s.refined.parent_face, face_count, g, rho};
   const auto energy = area_energy(input);
   s.optimum = find_optimum(input, *energy, wanted_circumferences(problem, s), s.basis.exterior);
-  s.form = combine(s.connectivity, s.basis, s.optimum.lambda);
+  s.form = combine(s.connectivity, *s.laplace, s.basis, s.optimum.lambda);
   find_scale_factors(s);
   find_size_ratios(problem, s);
   return s;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include <Eigen/Core>
@@ -27,6 +28,8 @@ struct FormSolution {
   std::vector<std::vector<int>> disk_faces;  ///< per disk: triangles of the surface that it touches
   DelaunaySurface refined;    ///< without the disks; `parent_face` is of the surface itself
   Connectivity connectivity;  ///< of `refined`: the loops of the surface, then those of the disks
+  std::shared_ptr<const LaplaceSolver> laplace;  ///< of `refined`; large, so let go of after use
+  long factor_nonzeros = 0;                      ///< of its factor
   HolomorphicBasis basis;
   OptimumResult optimum;
   HolomorphicForm form;
@@ -48,6 +51,9 @@ FormSolution solve_form(const FormProblem& problem);
 /// The same without the disks. \param punctured `problem.surface` without them.
 FormSolution solve_form(const FormProblem& problem, const std::vector<SurfaceDisk>& disks,
                         PuncturedSurface punctured);
+
+/// The factorised Laplacian of `s.refined`, once more.
+std::shared_ptr<const LaplaceSolver> laplace_of(const FormSolution& s);
 
 /// Sizing weights rho of the area energy, from relative edge lengths: squared inverse. #F.
 Eigen::VectorXd sizing_weights(const Eigen::VectorXd& edge);

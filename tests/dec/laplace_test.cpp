@@ -16,13 +16,17 @@ struct PlanarMesh {
   TriangleSurface surface = make_delaunay(eccentric_annulus(1.0, 0.3, 0.4, 48, 9)).surface;
   Connectivity mesh = connectivity_of(surface);
   Eigen::VectorXd star = star1(surface, mesh);
-
-  std::vector<bool> boundary() const {
-    std::vector<bool> fixed(mesh.vertex_count());
-    for (int v = 0; v < mesh.vertex_count(); ++v) fixed[v] = mesh.is_boundary_vertex(v);
-    return fixed;
-  }
 };
+
+Eigen::MatrixXd laplacian_of(const PlanarMesh& plane, const Eigen::MatrixXd& u) {
+  const Eigen::SparseMatrix<double> derivative = d0(plane.mesh);
+  return derivative.transpose() * (plane.star.asDiagonal() * (derivative * u));
+}
+
+Eigen::MatrixXd random_functions(const PlanarMesh& plane, int count, unsigned seed) {
+  std::srand(seed);
+  return Eigen::MatrixXd::Random(plane.mesh.vertex_count(), count);
+}
 
 TEST(LaplaceSolver, ReproducesLinearFunctions) {
   const PlanarMesh plane;
@@ -32,66 +36,64 @@ TEST(LaplaceSolver, ReproducesLinearFunctions) {
     const Vec3& p = plane.surface.points[v];
     exact.row(v) << 2.0 + 3.0 * p.x() - p.y(), p.y();
   }
-  // Rows of free vertices in `boundary` and of fixed ones in `rhs` have no say.
-  Eigen::MatrixXd given = exact;
-  Eigen::MatrixXd rhs = Eigen::MatrixXd::Zero(count, 2);
+  Eigen::MatrixXd given = exact;  // its rows of interior vertices have no say
   for (int v = 0; v < count; ++v) {
-    (plane.mesh.is_boundary_vertex(v) ? rhs : given).row(v).setConstant(1e6);
+    if (!plane.mesh.is_boundary_vertex(v)) given.row(v).setConstant(1e6);
   }
-  const LaplaceSolver solver(plane.mesh, plane.star, plane.boundary());
-  EXPECT_LT((solver.solve(rhs, given) - exact).cwiseAbs().maxCoeff(), 1e-12);
+  const LaplaceSolver solver(plane.mesh, plane.star);
+  EXPECT_LT((solver.harmonic_extension(given) - exact).cwiseAbs().maxCoeff(), 1e-12);
 }
 
-TEST(LaplaceSolver, SolvesForAnyRightHandSideAndBoundary) {
+TEST(LaplaceSolver, ExtendsAnyBoundaryHarmonically) {
   const PlanarMesh plane;
-  const int count = plane.mesh.vertex_count();
-  std::srand(7);
-  const Eigen::MatrixXd rhs = Eigen::MatrixXd::Random(count, 3);
-  const Eigen::MatrixXd boundary = Eigen::MatrixXd::Random(count, 3);
-  const LaplaceSolver solver(plane.mesh, plane.star, plane.boundary());
-  const Eigen::MatrixXd u = solver.solve(rhs, boundary);
-  const Eigen::SparseMatrix<double> derivative = d0(plane.mesh);
-  const Eigen::MatrixXd laplacian_u =
-      derivative.transpose() * (plane.star.asDiagonal() * (derivative * u));
-  for (int v = 0; v < count; ++v) {
+  const Eigen::MatrixXd boundary = random_functions(plane, 9, 7);  // more than one block
+  const Eigen::MatrixXd u = LaplaceSolver(plane.mesh, plane.star).harmonic_extension(boundary);
+  const Eigen::MatrixXd laplacian = laplacian_of(plane, u);
+  for (int v = 0; v < plane.mesh.vertex_count(); ++v) {
     if (plane.mesh.is_boundary_vertex(v)) {
       ASSERT_EQ(u.row(v), boundary.row(v));
     } else {
-      ASSERT_LT((laplacian_u - rhs).row(v).norm(), 1e-11);
+      ASSERT_LT(laplacian.row(v).norm(), 1e-11);
     }
   }
 }
 
-TEST(LaplaceSolver, SolvesTheNeumannProblemWithOneVertexFixed) {
+TEST(LaplaceSolver, SolvesTheDirichletProblemForAnyRightHandSide) {
   const PlanarMesh plane;
-  const int count = plane.mesh.vertex_count();
-  std::srand(8);
-  Eigen::MatrixXd rhs = Eigen::MatrixXd::Random(count, 1);
-  rhs.array() -= rhs.mean();  // solvable: then the equation holds at the fixed vertex as well
-  std::vector<bool> fixed(count, false);
-  fixed[5] = true;
-  const LaplaceSolver solver(plane.mesh, plane.star, std::move(fixed));
-  const Eigen::MatrixXd u = solver.solve(rhs, Eigen::MatrixXd::Zero(count, 1));
-  EXPECT_EQ(u(5, 0), 0.0);
-  const Eigen::SparseMatrix<double> derivative = d0(plane.mesh);
-  const Eigen::MatrixXd residual =
-      derivative.transpose() * (plane.star.asDiagonal() * (derivative * u)) - rhs;
-  EXPECT_LT(residual.cwiseAbs().maxCoeff(), 1e-10);
+  const Eigen::MatrixXd rhs = random_functions(plane, 3, 8);
+  const Eigen::MatrixXd u = LaplaceSolver(plane.mesh, plane.star).solve_dirichlet(rhs);
+  const Eigen::MatrixXd residual = laplacian_of(plane, u) - rhs;
+  for (int v = 0; v < plane.mesh.vertex_count(); ++v) {
+    if (plane.mesh.is_boundary_vertex(v)) {
+      ASSERT_EQ(u.row(v).norm(), 0.0);
+    } else {
+      ASSERT_LT(residual.row(v).norm(), 1e-11);
+    }
+  }
 }
 
-TEST(LaplaceSolver, GivesTheBoundaryBackWhereNothingIsFree) {
+TEST(LaplaceSolver, SolvesTheNeumannProblem) {
   const PlanarMesh plane;
-  const int count = plane.mesh.vertex_count();
-  const LaplaceSolver solver(plane.mesh, plane.star, std::vector<bool>(count, true));
-  const Eigen::MatrixXd boundary = Eigen::MatrixXd::Ones(count, 2);
-  EXPECT_EQ(solver.solve(Eigen::MatrixXd::Zero(count, 2), boundary), boundary);
-  EXPECT_EQ(solver.factor_nonzeros(), 0);
+  Eigen::MatrixXd rhs = random_functions(plane, 2, 9);
+  // Solvable: then the equation holds at the vertex as well where the solution is given.
+  rhs.rowwise() -= rhs.colwise().mean().eval();
+  const Eigen::MatrixXd u = LaplaceSolver(plane.mesh, plane.star).solve_neumann(rhs);
+  EXPECT_EQ(u.row(plane.mesh.loops()[0].front()).norm(), 0.0);
+  EXPECT_LT((laplacian_of(plane, u) - rhs).cwiseAbs().maxCoeff(), 1e-10);
+}
+
+TEST(LaplaceSolver, GivesTheBoundaryBackWhereThereIsNoInterior) {
+  const Connectivity mesh(3, {{0, 1, 2}});
+  const Eigen::Vector3d boundary(1.0, 2.0, 3.0);
+  const LaplaceSolver solver(mesh, Eigen::Vector3d::Ones());
+  EXPECT_EQ(solver.harmonic_extension(boundary), boundary);
+  EXPECT_EQ(solver.solve_dirichlet(boundary).norm(), 0.0);
 }
 
 TEST(LaplaceSolver, RefusesWeightsThatAreNotPositive) {
   const PlanarMesh plane;
   test::expect_error(ExitCode::internal, {"not positive definite"},
-                     [&] { LaplaceSolver(plane.mesh, -plane.star, plane.boundary()); });
+                     [&] { LaplaceSolver(plane.mesh, -plane.star); });
 }
 
 }  // namespace

@@ -52,7 +52,7 @@ INSTANTIATE_TEST_SUITE_P(Some, Energy,
 
 TEST_P(Energy, IsTheDistortionOfTheAreas) {
   const Eigen::VectorXd lambda = random_lambda();
-  const HolomorphicForm form = combine(h_.mesh, h_.basis, lambda);
+  const HolomorphicForm form = h_.form(lambda);
   Eigen::VectorXd area = Eigen::VectorXd::Zero(h_.input_faces);
   Eigen::VectorXd image = area;
   for (int f = 0; f < h_.mesh.face_count(); ++f) {

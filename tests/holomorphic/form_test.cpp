@@ -4,6 +4,7 @@
 #include <numbers>
 #include <vector>
 
+#include <Eigen/Cholesky>
 #include <gtest/gtest.h>
 
 #include "support/harmonic_forms.h"
@@ -23,7 +24,7 @@ Eigen::VectorXd some_periods(int n) {
 
 TEST(Combine, KeepsLoopsOnOneLevelBitwise) {
   const Harmonic h = harmonic(*test::vessel_surface("tree"), 3);
-  const HolomorphicForm form = combine(h.mesh, h.basis, some_periods(h.n()));
+  const HolomorphicForm form = h.form(some_periods(h.n()));
   for (const std::vector<int>& loop : h.mesh.loops()) {
     for (const int v : loop) ASSERT_EQ(form.y[v], form.y[loop.front()]);
   }
@@ -32,7 +33,7 @@ TEST(Combine, KeepsLoopsOnOneLevelBitwise) {
 TEST(Combine, GivesTheFormThePeriodsAskedFor) {
   const Harmonic h = harmonic(*test::vessel_surface("tree"), 3);
   const Eigen::VectorXd lambda = some_periods(h.n());
-  const HolomorphicForm form = combine(h.mesh, h.basis, lambda);
+  const HolomorphicForm form = h.form(lambda);
   ASSERT_EQ(form.periods.size(), h.n() + 1);
   EXPECT_NEAR(form.periods.sum(), 0.0, 1e-12);
   for (int i = 0; i < h.n(); ++i) EXPECT_EQ(form.periods[h.basis.loop(i)], lambda[i]);
@@ -44,14 +45,14 @@ TEST(Combine, GivesTheFormThePeriodsAskedFor) {
 TEST(Combine, IsTheSumOfThePotentials) {
   const Harmonic h = harmonic(*test::vessel_surface("bifurcation"));
   const Eigen::VectorXd lambda = some_periods(h.n());
-  const HolomorphicForm form = combine(h.mesh, h.basis, lambda);
+  const HolomorphicForm form = h.form(lambda);
   EXPECT_LT((h.g * lambda - form.y).cwiseAbs().maxCoeff(), 1e-12);
 }
 
 // The flux of grad y into the surface at each loop is the period of x.
 TEST(Combine, FluxOfYIsThePeriodOfX) {
   const Harmonic h = harmonic(*test::vessel_surface("tree"));
-  const HolomorphicForm form = combine(h.mesh, h.basis, some_periods(h.n()));
+  const HolomorphicForm form = h.form(some_periods(h.n()));
   const Eigen::SparseMatrix<double> derivative = d0(h.mesh);
   // Green's formula: the sum of (L y) over the vertices of a loop is the flux out through it.
   const Eigen::VectorXd outflow =
@@ -63,13 +64,39 @@ TEST(Combine, FluxOfYIsThePeriodOfX) {
   }
 }
 
+// One right-hand side gives what the sum of all basis forms gives, and the two energies, of x by the
+// periods and of y by the potentials, enclose the area of the image.
+TEST(Combine, IsTheSumOfThePeriodicForms) {
+  const Harmonic h = harmonic(*test::vessel_surface("tree"), 2);
+  const Eigen::VectorXd lambda = some_periods(h.n());
+  const HolomorphicForm form = h.form(lambda);
+  const Eigen::VectorXd sum = h.periodic.omega * lambda;
+  EXPECT_LT((sum - form.dx.values).cwiseAbs().maxCoeff(), 1e-10 * sum.cwiseAbs().maxCoeff());
+  const double by_periods = lambda.dot(h.periodic.gram * lambda);
+  const double by_potentials = lambda.dot(h.basis.capacity.llt().solve(lambda));
+  EXPECT_NEAR(form.error, by_periods / by_potentials - 1.0, 1e-9);
+  EXPECT_GT(form.error, 0.0);
+  EXPECT_LT(form.error, h.n() * h.periodic.error);
+}
+
+TEST(CombineOnAnnulus, TheErrorShrinksWithSecondOrder) {
+  std::vector<double> errors;
+  for (int k = 1; k <= 8; k *= 2) {
+    const Harmonic h = harmonic(annulus(1.0, 2.0, 24 * k, 3 * k));
+    errors.push_back(h.form(Eigen::VectorXd::Constant(1, 1.7)).error);
+  }
+  for (std::size_t i = 1; i < errors.size(); ++i) {
+    EXPECT_NEAR(std::log2(errors[i - 1] / errors[i]), 2.0, 0.2);
+  }
+}
+
 TEST(CombineOnCylinder, IsTheDevelopmentOfTheTube) {
   const int n_around = 24;
   const double length = 6.0;
   const TriangleSurface tube = cylinder(1.0, length, n_around, 25);
   for (const double lambda : {2.0 * pi, -3.0}) {
     const Harmonic h = harmonic(tube);
-    const HolomorphicForm form = combine(h.mesh, h.basis, Eigen::VectorXd::Constant(1, lambda));
+    const HolomorphicForm form = h.form(Eigen::VectorXd::Constant(1, lambda));
     const std::vector<int>& loop = h.mesh.loops()[h.basis.loop(0)];
     // With the surface on the left, the walk around the loop is along +angle at the lower end.
     const bool lower = tube.points[loop.front()].z() < 0.5 * length;
@@ -95,7 +122,7 @@ TEST(CombineOnAnnulus, CauchyRiemannHoldsToFirstOrder) {
   std::vector<double> defects;
   for (int k = 1; k <= 8; k *= 2) {
     const Harmonic h = harmonic(annulus(1.0, 2.0, 24 * k, 3 * k));
-    const HolomorphicForm form = combine(h.mesh, h.basis, Eigen::VectorXd::Constant(1, 1.7));
+    const HolomorphicForm form = h.form(Eigen::VectorXd::Constant(1, 1.7));
     defects.push_back(cauchy_riemann_defect(h, form));
   }
   EXPECT_LT(defects.front(), 0.2);
@@ -108,7 +135,7 @@ TEST(CombineOnAnnulus, CauchyRiemannHoldsToFirstOrder) {
 TEST(CombineOnAnnulus, IsTheLogarithm) {
   const TriangleSurface surface = annulus(1.0, 2.0, 192, 24);
   const Harmonic h = harmonic(surface);
-  const HolomorphicForm form = combine(h.mesh, h.basis, Eigen::VectorXd::Constant(1, 2.0 * pi));
+  const HolomorphicForm form = h.form(Eigen::VectorXd::Constant(1, 2.0 * pi));
   const bool inner = surface.points[h.mesh.loops()[h.basis.loop(0)].front()].norm() < 1.5;
   // Walking around the inner circle with the surface on the left is clockwise: y rises outward.
   const double sign = inner ? 1.0 : -1.0;
@@ -129,7 +156,7 @@ TEST(CombineOnVessels, CauchyRiemannHoldsUpToDiscretisation) {
   std::vector<double> defects;
   for (const double edge : {0.4, 0.2, 0.1}) {
     const Harmonic h = harmonic(generate_shape(Shape::bifurcation, edge));
-    defects.push_back(cauchy_riemann_defect(h, combine(h.mesh, h.basis, some_periods(h.n()))));
+    defects.push_back(cauchy_riemann_defect(h, h.form(some_periods(h.n()))));
   }
   EXPECT_LT(defects[0], 0.3);
   EXPECT_LT(defects[1], 0.7 * defects[0]);

@@ -24,7 +24,7 @@ struct Foliated {
 
 inline Foliated foliated(Harmonic h, const Eigen::VectorXd& lambda) {
   Foliated result;
-  result.form = combine(h.mesh, h.basis, lambda);
+  result.form = h.form(lambda);
   result.foliation = foliate(h.mesh, result.form);
   result.h = std::move(h);
   return result;

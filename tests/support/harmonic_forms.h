@@ -23,11 +23,16 @@ struct Harmonic {
   int input_faces = 0;
   Connectivity mesh;
   Eigen::VectorXd star;
+  std::shared_ptr<const LaplaceSolver> laplace;
   HolomorphicBasis basis;
+  PeriodicForms periodic;
   Eigen::MatrixXd g;
 
   const TriangleSurface& surface() const { return refined.surface; }
   int n() const { return basis.size(); }
+  HolomorphicForm form(const Eigen::VectorXd& lambda) const {
+    return combine(mesh, *laplace, basis, lambda);
+  }
 };
 
 inline Harmonic harmonic(const TriangleSurface& input, int exterior = 0) {
@@ -36,7 +41,9 @@ inline Harmonic harmonic(const TriangleSurface& input, int exterior = 0) {
   h.input_faces = static_cast<int>(input.triangles.size());
   h.mesh = connectivity_of(h.refined.surface);
   h.star = star1(h.refined.surface, h.mesh);
-  h.basis = holomorphic_basis(h.mesh, h.star, exterior);
+  h.laplace = std::make_shared<const LaplaceSolver>(h.mesh, h.star);
+  h.basis = holomorphic_basis(h.mesh, *h.laplace, exterior);
+  h.periodic = periodic_forms(h.mesh, *h.laplace, h.basis);
   h.g = potentials(h.basis);
   return h;
 }
