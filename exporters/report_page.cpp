@@ -10,7 +10,6 @@
 #include <vtkBase64Utilities.h>
 
 #include "exporters/svg_plots.h"
-#include "exporters/view_data.h"
 #include "inspect/cell_metrics.h"
 
 namespace hexwall {
@@ -275,16 +274,15 @@ constexpr std::string_view controls = R"html(<div class="controls">
 <p>Drag to turn, wheel to zoom, Shift and drag to move. A cut shows whole cells.</p>
 )html";
 
-std::string view(const PipelineResult& r, const PageParts& parts) {
+std::string view(const PageParts& parts) {
   if (parts.view_script.empty()) {
     return section("3-D view",
                    "<p>This hexwall was built without its 3-D view, for which Node.js "
                    "is needed. ParaView opens wall.vtu and quads.vtp.</p>\n");
   }
-  const ViewData data = view_data(r);
   std::string html(controls);
-  html += "<script type=\"application/json\" id=\"view-meta\">" + data.meta + "</script>\n";
-  html += "<script type=\"text/plain\" id=\"view-data\">" + data.base64 + "</script>\n";
+  html += "<script type=\"application/json\" id=\"view-meta\">" + parts.view.meta + "</script>\n";
+  html += "<script type=\"text/plain\" id=\"view-data\">" + parts.view.base64 + "</script>\n";
   return section("3-D view", html, "view-section");
 }
 
@@ -301,7 +299,7 @@ std::string report_page(const PipelineResult& r, const Json& report, const PageP
       html_text(file), style, report["hexwall_version"].get<std::string>());
   html += warnings(report);
   html += facts(r, report);
-  html += view(r, parts);
+  html += view(parts);
   html += pictures(parts);
   html += plots(r, report);
   html += counts(report);

@@ -6,6 +6,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "exporters/view_data.h"
 #include "pipeline.h"
 
 namespace hexwall {
@@ -20,6 +21,7 @@ struct PageParts {
   std::vector<PagePicture> pictures;
   std::string pictures_note;     ///< why there are none; empty: nothing to say
   std::string_view view_script;  ///< of the 3-D view; empty: the program was built without it
+  ViewData view;                 ///< what it shows
 };
 
 /// `report.html`: a page that needs no other file and no network. Warnings come first. The element

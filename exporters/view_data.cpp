@@ -45,7 +45,7 @@ class Blocks {
 
   std::string base64() const {
     vtkNew<vtkZLibDataCompressor> zlib;
-    zlib->SetCompressionLevel(9);
+    zlib->SetCompressionLevel(6);
     std::vector<unsigned char> packed(zlib->GetMaximumCompressionSpace(bytes_.size()));
     const auto* from = reinterpret_cast<const unsigned char*>(bytes_.data());
     const std::size_t size = zlib->Compress(from, bytes_.size(), packed.data(), packed.size());

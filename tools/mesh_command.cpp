@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <utility>
@@ -10,6 +11,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "core/parallel.h"
 #include "exporters/formats.h"
 #include "exporters/output_file.h"
 #include "exporters/report_page.h"
@@ -33,15 +35,26 @@ bool writes(const MeshOptions& c, const std::string& format) {
   return std::find(c.write.begin(), c.write.end(), format) != c.write.end();
 }
 
-void write_results(const MeshOptions& c, const PipelineResult& result, const fs::path& folder) {
-  write_vtp(folder / "surface.vtp", surface_data(result));
-  write_vtp(folder / "critical.vtp", critical_data(result));
-  write_vtp(folder / "quads.vtp", quad_data(result));
-  if (c.write_basis) write_vtp(folder / "basis.vtp", basis_data(result));
-  for (const Format& format : hex_mesh_formats()) {
+// Files are independent of each other: each is made and written by a task of its own, and one makes
+// what the report's view shows.
+void write_results(const MeshOptions& c, const PipelineResult& result, const fs::path& folder,
+                   PageParts& parts) {
+  std::vector<std::function<void()>> tasks;
+  const double metres = metres_per_unit(c.surface.input.units);
+  for (const Format& format : hex_mesh_formats()) {  // the largest ones first
     if (!writes(c, format.name)) continue;
-    format.write(folder / format.output, result, metres_per_unit(c.surface.input.units));
+    tasks.emplace_back([&, metres] { format.write(folder / format.output, result, metres); });
   }
+  tasks.emplace_back([&] { write_vtp(folder / "surface.vtp", surface_data(result)); });
+  tasks.emplace_back([&] { write_vtp(folder / "quads.vtp", quad_data(result)); });
+  tasks.emplace_back([&] { write_vtp(folder / "critical.vtp", critical_data(result)); });
+  if (c.write_basis) {
+    tasks.emplace_back([&] { write_vtp(folder / "basis.vtp", basis_data(result)); });
+  }
+  if (!c.no_report && !parts.view_script.empty()) {
+    tasks.emplace_back([&] { parts.view = view_data(result); });
+  }
+  parallel_tasks(tasks.size(), [&](std::size_t i) { tasks[i](); });
 }
 
 std::vector<ProgressStage> stages_of_writing(bool pictures) {
@@ -103,9 +116,9 @@ std::string write_mesh_results(const MeshOptions& c, SurfaceRun& run, const fs::
                                ProgressDisplay& progress) {
   std::vector<StageTime>& times = run.context.io_times;
   progress.begin("write");
-  times.push_back({"write", timed([&] { write_results(c, run.result, folder); })});
   PageParts parts;
   parts.view_script = view_script();
+  times.push_back({"write", timed([&] { write_results(c, run.result, folder, parts); })});
   if (c.pictures) {
     progress.begin("pictures");
     PictureResult taken;

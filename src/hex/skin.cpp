@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/cancel.h"
+#include "core/parallel.h"
 #include "quad/boundary.h"
 #include "surface/self_intersection.h"
 
@@ -20,20 +21,22 @@ Skin::Skin(const QuadMesh& quads, const std::vector<Vec3>& directions, Side side
     const auto [a, b] = ends_of(quads, side_of_ring);
     faces_.push_back({{b, a, base + a, base + b}, side_of_ring.quad});
   }
-  surface_.points.resize(2 * quads.points.size());
-  std::copy(quads.points.begin(), quads.points.end(), surface_.points.begin() + base);
-  surface_.triangles.resize(2 * faces_.size());
 }
 
-void Skin::move_to(const std::vector<double>& thickness, int diagonal) {
+TriangleSurface Skin::triangulated(const std::vector<double>& thickness, int diagonal) const {
+  TriangleSurface surface;
+  surface.points.reserve(2 * quads_.points.size());
   for (std::size_t v = 0; v < quads_.points.size(); ++v) {
-    surface_.points[v] = quads_.points[v] + sign_ * thickness[v] * directions_[v];
+    surface.points.push_back(quads_.points[v] + sign_ * thickness[v] * directions_[v]);
   }
-  for (std::size_t i = 0; i < faces_.size(); ++i) {
-    const auto at = [&](int k) { return faces_[i].vertices[(k + diagonal) % 4]; };
-    surface_.triangles[2 * i] = {at(0), at(1), at(2)};
-    surface_.triangles[2 * i + 1] = {at(0), at(2), at(3)};
+  surface.points.insert(surface.points.end(), quads_.points.begin(), quads_.points.end());
+  surface.triangles.reserve(2 * faces_.size());
+  for (const Face& face : faces_) {
+    const auto at = [&](int k) { return face.vertices[(k + diagonal) % 4]; };
+    surface.triangles.push_back({at(0), at(1), at(2)});
+    surface.triangles.push_back({at(0), at(2), at(3)});
   }
+  return surface;
 }
 
 std::vector<int> Skin::quads_of(const std::vector<std::pair<int, int>>& pairs) const {
@@ -46,22 +49,28 @@ std::vector<int> Skin::quads_of(const std::vector<std::pair<int, int>>& pairs) c
   return result;
 }
 
-std::vector<int> Skin::collisions(const std::vector<double>& thickness, int diagonal) {
-  throw_if_cancelled();
-  move_to(thickness, diagonal);
-  return quads_of(self_intersections(surface_));
+std::vector<int> Skin::collisions(const std::vector<double>& thickness) const {
+  std::array<std::vector<int>, 2> found;
+  parallel_tasks(2, [&](std::size_t diagonal) {
+    found[diagonal] =
+        quads_of(self_intersections(triangulated(thickness, static_cast<int>(diagonal))));
+  });
+  return found[0].empty() ? found[1] : found[0];
 }
 
-std::vector<int> Skin::collisions(const std::vector<double>& thickness, int diagonal,
-                                  const std::vector<int>& among) {
-  throw_if_cancelled();
-  move_to(thickness, diagonal);
+std::vector<int> Skin::collisions(const std::vector<double>& thickness,
+                                  const std::vector<int>& among) const {
   std::vector<int> triangles;
   for (int i = 0; i < static_cast<int>(faces_.size()); ++i) {
     if (!std::binary_search(among.begin(), among.end(), faces_[i].quad)) continue;
     triangles.insert(triangles.end(), {2 * i, 2 * i + 1});
   }
-  return quads_of(self_intersections(surface_, triangles));
+  const auto found = [&](int diagonal) {
+    throw_if_cancelled();
+    return quads_of(self_intersections(triangulated(thickness, diagonal), triangles));
+  };
+  std::vector<int> quads = found(0);
+  return quads.empty() ? found(1) : quads;
 }
 
 }  // namespace hexwall

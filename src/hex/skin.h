@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "hex/thickness.h"
+#include "surface/triangle_surface.h"
 
 namespace hexwall {
 
@@ -14,14 +15,14 @@ class Skin {
  public:
   Skin(const QuadMesh& quads, const std::vector<Vec3>& directions, Side side);
 
-  /// Quads whose faces meet other faces anywhere but in common vertices and edges, decided with
-  /// exact predicates on two triangles per face. Sorted.
-  /// \param thickness #V \param diagonal 0 or 1, along which faces are split.
-  std::vector<int> collisions(const std::vector<double>& thickness, int diagonal);
+  /// Quads whose faces meet other faces anywhere but in common vertices and edges, however faces are
+  /// split into two triangles: decided with exact predicates for either way, and for the second one
+  /// only where the first finds nothing. Sorted. \param thickness #V
+  std::vector<int> collisions(const std::vector<double>& thickness) const;
 
   /// The same among the faces of some quads only. \param among sorted.
-  std::vector<int> collisions(const std::vector<double>& thickness, int diagonal,
-                              const std::vector<int>& among);
+  std::vector<int> collisions(const std::vector<double>& thickness,
+                              const std::vector<int>& among) const;
 
  private:
   struct Face {
@@ -29,14 +30,14 @@ class Skin {
     int quad;
   };
 
-  void move_to(const std::vector<double>& thickness, int diagonal);
+  // Vertices of the skin, then of the quad mesh; two triangles a face, split at corner `diagonal`.
+  TriangleSurface triangulated(const std::vector<double>& thickness, int diagonal) const;
   std::vector<int> quads_of(const std::vector<std::pair<int, int>>& pairs) const;
 
   const QuadMesh& quads_;
   const std::vector<Vec3>& directions_;
   double sign_;
   std::vector<Face> faces_;
-  TriangleSurface surface_;  // vertices of the skin, then of the quad mesh; two triangles a face
 };
 
 }  // namespace hexwall

@@ -174,31 +174,17 @@ class Fitter {
     return thickness;
   }
 
-  // Collisions, with the clearance, however the faces are split: both ways are looked at in turn,
-  // the second only where the first finds nothing.
-  std::vector<int> collisions() {
-    const std::vector<double> thickness = with_clearance();
-    std::vector<int> colliding = skin_.collisions(thickness, 0);
-    return colliding.empty() ? skin_.collisions(thickness, 1) : colliding;
-  }
-
-  std::vector<int> collisions(const std::vector<int>& among) {
-    const std::vector<double> thickness = with_clearance();
-    std::vector<int> colliding = skin_.collisions(thickness, 0, among);
-    return colliding.empty() ? skin_.collisions(thickness, 1, among) : colliding;
-  }
-
   // Thins the wall until its skin nowhere meets itself: in the places found first, then over all.
   void separate() {
-    std::vector<int> colliding = collisions();
+    std::vector<int> colliding = skin_.collisions(with_clearance());
     result_.colliding_quads = static_cast<int>(colliding.size());
     while (!colliding.empty()) {
       const std::vector<int> among = with_neighbours(colliding);
-      for (; !colliding.empty(); colliding = collisions(among)) {
+      for (; !colliding.empty(); colliding = skin_.collisions(with_clearance(), among)) {
         shrink(colliding, "keeps clear of the wall beside it");
       }
       shrink_bad_columns();
-      colliding = collisions();
+      colliding = skin_.collisions(with_clearance());
     }
   }
 

@@ -61,9 +61,12 @@ double scaled_jacobian(const std::array<Vec3, 4>& p) {
   return least;
 }
 
+std::array<Vec3, 4> corners_of(const std::vector<Vec3>& points, const std::array<int, 4>& quad) {
+  return {points[quad[0]], points[quad[1]], points[quad[2]], points[quad[3]]};
+}
+
 std::array<Vec3, 4> corners_of(const QuadMesh& mesh, int quad) {
-  const auto& q = mesh.quads[quad];
-  return {mesh.points[q[0]], mesh.points[q[1]], mesh.points[q[2]], mesh.points[q[3]]};
+  return corners_of(mesh.points, mesh.quads[quad]);
 }
 
 std::vector<std::array<int, 2>> edges_of(const QuadMesh& mesh) {

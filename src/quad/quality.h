@@ -12,6 +12,7 @@ namespace hexwall {
 double scaled_jacobian(const std::array<Vec3, 4>& corners);
 
 /// Corner positions of a quad.
+std::array<Vec3, 4> corners_of(const std::vector<Vec3>& points, const std::array<int, 4>& quad);
 std::array<Vec3, 4> corners_of(const QuadMesh& mesh, int quad);
 
 /// Doubled area vector of a quad: half the cross product of its diagonals, times two.

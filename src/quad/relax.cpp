@@ -47,7 +47,8 @@ class Relaxer {
         first_corner_(mesh.points.size() + 1, 0),
         corners_(4 * mesh.quads.size()),
         targets_(mesh.quads.size()),
-        segment_(mesh.points.size(), 0) {
+        segment_(mesh.points.size(), 0),
+        jacobian_(mesh.quads.size()) {
     index_corners();
     for (const auto& loop : connectivity.loops()) {
       std::vector<Vec3> points;
@@ -58,6 +59,9 @@ class Relaxer {
   }
 
   RelaxResult run() {
+    parallel_for(jacobian_.size(), [&](std::size_t q) {
+      jacobian_[q] = scaled_jacobian(corners_of(mesh_, static_cast<int>(q)));
+    });
     for (int i = 0; i < options_.iterations; ++i) {
       step();
       ++result_.iterations;
@@ -102,12 +106,12 @@ class Relaxer {
       targets_[q] =
           fitted_rectangle(corners_of(mesh_, static_cast<int>(q)), size_[q], options_.size_weight);
     });
-    moved_ = mesh_;
+    moved_ = mesh_.points;
     moved_face_ = face_;
     moved_segment_ = segment_;
-    parallel_for(mesh_.points.size(), [&](std::size_t v) { move_vertex(static_cast<int>(v)); });
+    parallel_for(moved_.size(), [&](std::size_t v) { move_vertex(static_cast<int>(v)); });
     undo_harmful_moves();
-    std::swap(mesh_.points, moved_.points);
+    std::swap(mesh_.points, moved_);
     std::swap(face_, moved_face_);
     std::swap(segment_, moved_segment_);
   }
@@ -119,31 +123,26 @@ class Relaxer {
     }
     const Vec3 p = sum / (first_corner_[v + 1] - first_corner_[v]);
     if (mesh_.loop_of_vertex[v] >= 0) {
-      moved_.points[v] = loops_[mesh_.loop_of_vertex[v]].project(p, moved_segment_[v]);
+      moved_[v] = loops_[mesh_.loop_of_vertex[v]].project(p, moved_segment_[v]);
     } else {
       const SurfacePoint point = projector_.project(p, face_[v]);
-      moved_.points[v] = point.position;
+      moved_[v] = point.position;
       moved_face_[v] = point.face;
     }
   }
 
   // Takes back the moves of all corners of quads that would become worse than the worst one was.
   void undo_harmful_moves() {
-    std::vector<double> before(mesh_.quads.size());
-    parallel_for(before.size(), [&](std::size_t q) {
-      before[q] = scaled_jacobian(corners_of(mesh_, static_cast<int>(q)));
-    });
-    const double worst = *std::min_element(before.begin(), before.end());
-    std::vector<char> harmful(before.size());
-    std::vector<int> suspects(before.size());
+    const double worst = *std::min_element(jacobian_.begin(), jacobian_.end());
+    std::vector<int> suspects(jacobian_.size());
     std::iota(suspects.begin(), suspects.end(), 0);
     while (!suspects.empty()) {
       parallel_for(suspects.size(), [&](std::size_t i) {
-        harmful[suspects[i]] = scaled_jacobian(corners_of(moved_, suspects[i])) < worst ? 1 : 0;
+        jacobian_[suspects[i]] = scaled_jacobian(corners_of(moved_, mesh_.quads[suspects[i]]));
       });
       std::vector<int> undone;
       for (const int q : suspects) {
-        if (harmful[q] == 0) continue;
+        if (jacobian_[q] >= worst) continue;
         for (const int v : mesh_.quads[q]) {
           if (undo(v)) undone.push_back(v);
         }
@@ -165,8 +164,8 @@ class Relaxer {
   }
 
   bool undo(int v) {
-    if (moved_.points[v] == mesh_.points[v]) return false;
-    moved_.points[v] = mesh_.points[v];
+    if (moved_[v] == mesh_.points[v]) return false;
+    moved_[v] = mesh_.points[v];
     moved_face_[v] = face_[v];
     moved_segment_[v] = segment_[v];
     ++result_.frozen_moves;
@@ -182,7 +181,8 @@ class Relaxer {
   std::vector<int> first_corner_, corners_;
   std::vector<Corners> targets_;
   std::vector<int> segment_, moved_face_, moved_segment_;
-  QuadMesh moved_;
+  std::vector<double> jacobian_;  // scaled Jacobians of the quads
+  std::vector<Vec3> moved_;
   RelaxResult result_;
 };
 

@@ -1,6 +1,8 @@
 #include "surface/connectivity.h"
 
 #include <algorithm>
+#include <numeric>
+#include <tuple>
 #include <utility>
 
 #include <fmt/format.h>
@@ -18,16 +20,25 @@ Connectivity::Connectivity(int vertex_count, std::vector<std::array<int, 3>> tri
 }
 
 void Connectivity::match_halfedges() {
+  // Half-edges of an edge side by side: in buckets by their lower vertex, sorted within each.
   struct Key {
     int low, high, halfedge;
   };
+  std::vector<int> bucket(outgoing_.size() + 1, 0);
+  for (int h = 0; h < halfedge_count(); ++h) ++bucket[std::min(tail(h), tip(h)) + 1];
+  std::partial_sum(bucket.begin(), bucket.end(), bucket.begin());
   std::vector<Key> keys(halfedge_count());
+  std::vector<int> next(bucket.begin(), bucket.end() - 1);
   for (int h = 0; h < halfedge_count(); ++h) {
-    keys[h] = {std::min(tail(h), tip(h)), std::max(tail(h), tip(h)), h};
+    const int low = std::min(tail(h), tip(h));
+    keys[next[low]++] = {low, std::max(tail(h), tip(h)), h};
   }
-  std::sort(keys.begin(), keys.end(), [](const Key& a, const Key& b) {
-    return std::tie(a.low, a.high, a.halfedge) < std::tie(b.low, b.high, b.halfedge);
-  });
+  for (int v = 0; v < vertex_count(); ++v) {
+    std::sort(keys.begin() + bucket[v], keys.begin() + bucket[v + 1],
+              [](const Key& a, const Key& b) {
+                return std::tie(a.high, a.halfedge) < std::tie(b.high, b.halfedge);
+              });
+  }
   twin_.assign(halfedge_count(), -1);
   for (std::size_t i = 0; i < keys.size();) {
     std::size_t end = i + 1;
