@@ -99,31 +99,38 @@ std::vector<double> wanted_circumferences(const FormProblem& problem, const Form
   return lengths;
 }
 
+}  // namespace
+
+Eigen::VectorXd sizing_weights(const Eigen::VectorXd& edge) {
+  return edge.cwiseAbs2().cwiseInverse();
+}
+
 // Many loops have many sign patterns: they are tried on a sample of the triangles, and only the
 // best one is brought to its minimum on all of them.
-OptimumResult find_optimum(const AreaEnergyInput& input, const AreaEnergy& energy,
-                           const std::vector<double>& lengths, int exterior) {
-  const int n = energy.size();
-  if (n <= most_loops_on_all_triangles) return optimal_form(energy, lengths, exterior);
+void find_optimum(const FormProblem& problem, FormSolution& s) {
+  const Eigen::VectorXd rho = sizing_weights(problem.edge);
+  const Eigen::MatrixXd g = potentials(s.basis);
+  const auto face_count = static_cast<int>(problem.surface.triangles.size());
+  const AreaEnergyInput input{s.refined.surface, s.refined.parent_face, face_count, g, rho};
+  const auto energy = area_energy(input);
+  const std::vector<double> lengths = wanted_circumferences(problem, s);
+  const int n = s.basis.size();
+  if (n <= most_loops_on_all_triangles) {
+    s.optimum = optimal_form(*energy, lengths, s.basis.exterior);
+    return;
+  }
   const std::vector<int> parents = sampled_parents(input, sampled_triangles_per_loop * n);
   const AreaEnergyInput sample{input.surface, parents, input.parent_count, input.g, input.rho};
   const auto coarse = n <= most_loops_as_quartic ? quartic_energy(sample) : facewise_energy(sample);
   OptimumOptions options;
   options.search_finalists = finalists_of_many_loops;
-  OptimumResult result = optimal_form(*coarse, lengths, exterior, options);
-  Descent last = descend(energy, result.lambda, OptimumOptions{}.max_iterations);
-  last.signs = result.descents[result.best].signs;
-  result.lambda = last.lambda;
-  result.energy = last.energy;
-  result.best = static_cast<int>(result.descents.size());
-  result.descents.push_back(std::move(last));
-  return result;
-}
-
-}  // namespace
-
-Eigen::VectorXd sizing_weights(const Eigen::VectorXd& edge) {
-  return edge.cwiseAbs2().cwiseInverse();
+  s.optimum = optimal_form(*coarse, lengths, s.basis.exterior, options);
+  Descent last = descend(*energy, s.optimum.lambda, OptimumOptions{}.max_iterations);
+  last.signs = s.optimum.descents[s.optimum.best].signs;
+  s.optimum.lambda = last.lambda;
+  s.optimum.energy = last.energy;
+  s.optimum.best = static_cast<int>(s.optimum.descents.size());
+  s.optimum.descents.push_back(std::move(last));
 }
 
 std::shared_ptr<const LaplaceSolver> laplace_of(const FormSolution& s) {
@@ -144,12 +151,7 @@ FormSolution solve_form(const FormProblem& problem, const std::vector<SurfaceDis
   s.laplace = laplace_of(s);
   s.factor_nonzeros = s.laplace->factor_nonzeros();
   s.basis = holomorphic_basis(s.connectivity, *s.laplace);
-  const Eigen::VectorXd rho = sizing_weights(problem.edge);
-  const Eigen::MatrixXd g = potentials(s.basis);
-  const auto face_count = static_cast<int>(problem.surface.triangles.size());
-  const AreaEnergyInput input{s.refined.surface, s.refined.parent_face, face_count, g, rho};
-  const auto energy = area_energy(input);
-  s.optimum = find_optimum(input, *energy, wanted_circumferences(problem, s), s.basis.exterior);
+  find_optimum(problem, s);
   s.form = combine(s.connectivity, *s.laplace, s.basis, s.optimum.lambda);
   find_scale_factors(s);
   find_size_ratios(problem, s);

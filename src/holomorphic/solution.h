@@ -52,6 +52,9 @@ FormSolution solve_form(const FormProblem& problem);
 FormSolution solve_form(const FormProblem& problem, const std::vector<SurfaceDisk>& disks,
                         PuncturedSurface punctured);
 
+/// Sets `s.optimum`, given all that comes before it.
+void find_optimum(const FormProblem& problem, FormSolution& s);
+
 /// The factorised Laplacian of `s.refined`, once more.
 std::shared_ptr<const LaplaceSolver> laplace_of(const FormSolution& s);
 

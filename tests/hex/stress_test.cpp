@@ -93,25 +93,6 @@ TriangleSurface sac_on_a_neck() {
                      0.22);
 }
 
-/// A trunk with `sides` side branches in a spiral around it.
-TriangleSurface tree_with_sides(int sides) {
-  std::vector<Branch> branches;
-  const double length = 1.1 * sides + 4.0;
-  branches.push_back(tube_along({{0, 0, 0}, {0, 0, 0.5 * length}, {0, 0, length}}, 1.2));
-  for (int i = 0; i < sides; ++i) {
-    const double angle = 2.4 * i;
-    const double z = 2.0 + 1.1 * i;
-    const Vec3 out(std::cos(angle), std::sin(angle), 0.0);
-    branches.push_back(
-        {{Vec3(0, 0, z), 2.0 * out + Vec3(0, 0, z + 0.3), 4.0 * out + Vec3(0, 0, z + 0.6)},
-         {0.4, 0.4, 0.4},
-         false,
-         true,
-         0.2});
-  }
-  return vessel_tree(branches, 0.2);
-}
-
 /// Whether the layers fit as thick as they are asked.
 enum class Room {
   enough,  ///< nothing may be reduced
