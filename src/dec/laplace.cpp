@@ -165,7 +165,9 @@ void LaplaceSolver::Implementation::solve_block(Eigen::Ref<Eigen::MatrixXd> x,
   const auto size = static_cast<Eigen::Index>(order.size());
   const Eigen::Index rows = dirichlet ? interior : size;
   Eigen::MatrixXd permuted = Eigen::MatrixXd::Zero(size, x.cols());
-  for (Eigen::Index i = 0; i < rows; ++i) permuted.row(i) = x.row(order[i]);
+  for (Eigen::Index k = 0; k < x.cols(); ++k) {
+    for (Eigen::Index i = 0; i < rows; ++i) permuted(i, k) = x(order[i], k);
+  }
   Workspace own;
   cholmod_dense rhs = as_dense(permuted);
   const auto forward =
@@ -180,7 +182,9 @@ void LaplaceSolver::Implementation::solve_block(Eigen::Ref<Eigen::MatrixXd> x,
   const Eigen::Map<const Eigen::MatrixXd> u(static_cast<const double*>(solution->x), size,
                                             x.cols());
   x.setZero();
-  for (Eigen::Index i = 0; i < rows; ++i) x.row(order[i]) = u.row(i);
+  for (Eigen::Index k = 0; k < x.cols(); ++k) {
+    for (Eigen::Index i = 0; i < rows; ++i) x(order[i], k) = u(i, k);
+  }
 }
 
 void LaplaceSolver::Implementation::solve(Eigen::MatrixXd& x, bool dirichlet) const {

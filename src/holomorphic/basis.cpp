@@ -1,6 +1,6 @@
 #include "holomorphic/basis.h"
 
-#include <algorithm>
+#include <utility>
 #include <vector>
 
 
@@ -47,22 +47,24 @@ void add_differential(const Connectivity& mesh, const Eigen::MatrixXd& f, Eigen:
   }
 }
 
-// df^T star1 df, edge by edge: the differentials themselves are never kept.
-Eigen::MatrixXd dirichlet_energy(const Connectivity& mesh, const Eigen::VectorXd& star1,
-                                 const Eigen::MatrixXd& f) {
-  constexpr int chunk = 1024;
-  Eigen::MatrixXd energy = Eigen::MatrixXd::Zero(f.cols(), f.cols());
-  Eigen::MatrixXd df(chunk, f.cols());
-  for (int first = 0; first < mesh.edge_count(); first += chunk) {
-    const int count = std::min(chunk, mesh.edge_count() - first);
-    for (int i = 0; i < count; ++i) {
-      const int h = mesh.halfedge(first + i);
-      df.row(i) = f.row(mesh.tip(h)) - f.row(mesh.tail(h));
+// C_ij, integral of df_i ^ star df_j, by Green's formula: what flows out of loop j, the sum of L f_i
+// over its vertices. Only edges at the boundary count.
+Eigen::MatrixXd capacity_of(const Connectivity& mesh, const Eigen::VectorXd& star1,
+                            const HolomorphicBasis& basis) {
+  std::vector<int> element(mesh.loops().size(), -1);
+  for (int i = 0; i < basis.size(); ++i) element[basis.loop(i)] = i;
+  Eigen::MatrixXd outflow = Eigen::MatrixXd::Zero(basis.size(), basis.size());
+  for (int e = 0; e < mesh.edge_count(); ++e) {
+    const int a = mesh.tail(mesh.halfedge(e));
+    const int b = mesh.tip(mesh.halfedge(e));
+    if (mesh.loop_of_vertex(a) == mesh.loop_of_vertex(b)) continue;
+    for (const auto& [from, to] : {std::pair{a, b}, std::pair{b, a}}) {
+      const int loop = mesh.loop_of_vertex(from);
+      if (loop < 0 || element[loop] < 0) continue;
+      outflow.col(element[loop]) += star1[e] * (basis.f.row(from) - basis.f.row(to)).transpose();
     }
-    energy += df.topRows(count).transpose() * star1.segment(first, count).asDiagonal() *
-              df.topRows(count);
   }
-  return energy;
+  return 0.5 * (outflow + outflow.transpose());
 }
 
 }  // namespace
@@ -108,7 +110,7 @@ HolomorphicBasis holomorphic_basis(const Connectivity& mesh, const LaplaceSolver
     for (const int v : mesh.loops()[basis.loop(i)]) boundary(v, i) = 1.0;
   }
   basis.f = laplace.harmonic_extension(boundary);
-  basis.capacity = dirichlet_energy(mesh, laplace.star1(), basis.f);
+  basis.capacity = capacity_of(mesh, laplace.star1(), basis);
   return basis;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include <Eigen/Geometry>
@@ -11,6 +12,8 @@ namespace {
 
 // Up to here the n^4 coefficients cost less than the triangles they replace.
 constexpr int largest_quartic = 30;
+// Their sums are taken over as many triangles of the input at a time.
+constexpr Eigen::Index chunk = 4096;
 
 // Gradients of n piecewise linear functions on one triangle, times sqrt(area / rho): 2 x n in a
 // frame of the triangle, so that the column products integrate grad g_i . grad g_j / rho.
@@ -27,15 +30,36 @@ Eigen::Matrix2Xd scaled_gradients(const AreaEnergyInput& input, int f) {
   return gradients * std::sqrt(0.5 * length * height / input.rho[input.parent_face[f]]);
 }
 
-Eigen::VectorXd parent_areas(const AreaEnergyInput& input) {
-  Eigen::VectorXd areas = Eigen::VectorXd::Zero(input.parent_count);
-  for (std::size_t f = 0; f < input.parent_face.size(); ++f) {
-    if (input.parent_face[f] < 0) continue;
-    areas[input.parent_face[f]] +=
-        0.5 * doubled_area_vector(input.surface, static_cast<int>(f)).norm();
+/// The triangles of the refined surface that count, ordered by the input triangles they lie in, and
+/// those, numbered from 0.
+struct Pieces {
+  explicit Pieces(const AreaEnergyInput& input) {
+    std::vector<int> first(input.parent_count + 1, 0);
+    for (const int parent : input.parent_face) {
+      if (parent >= 0) ++first[parent + 1];
+    }
+    std::vector<int> number(input.parent_count, -1);
+    int count = 0;
+    for (int parent = 0; parent < input.parent_count; ++parent) {
+      if (first[parent + 1] > 0) number[parent] = count++;
+    }
+    std::partial_sum(first.begin(), first.end(), first.begin());
+    faces.resize(first.back());
+    parents.resize(first.back());
+    areas = Eigen::VectorXd::Zero(count);
+    for (int f = 0; f < static_cast<int>(input.parent_face.size()); ++f) {
+      const int parent = input.parent_face[f];
+      if (parent < 0) continue;
+      const int place = first[parent]++;
+      faces[place] = f;
+      parents[place] = number[parent];
+      areas[number[parent]] += 0.5 * doubled_area_vector(input.surface, f).norm();
+    }
   }
-  return areas;
-}
+
+  std::vector<int> faces, parents;
+  Eigen::VectorXd areas;  // of the parents
+};
 
 int monomial_count(int n) {
   return n * (n + 1) / 2;
@@ -49,34 +73,42 @@ void for_monomials(int n, Visit visit) {
   }
 }
 
-// E = q^T A q - 2 b^T q + s in the monomials q = (lambda_i lambda_j)_{i <= j}.
+// E = q^T A q - 2 b^T q + 1 in the monomials q = (lambda_i lambda_j)_{i <= j}.
 class QuarticEnergy final : public AreaEnergy {
  public:
   explicit QuarticEnergy(const AreaEnergyInput& input) : n_(static_cast<int>(input.g.cols())) {
-    const Eigen::VectorXd areas = parent_areas(input);
+    const Pieces pieces(input);
     const int m = monomial_count(n_);
-    Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(m, input.parent_count);
-    for (std::size_t f = 0; f < input.parent_face.size(); ++f) {
-      if (input.parent_face[f] < 0) continue;
-      const Eigen::Matrix2Xd gradients = scaled_gradients(input, static_cast<int>(f));
-      auto row = rows.col(input.parent_face[f]);
-      for_monomials(n_, [&](int k, int i, int j) {
-        row[k] += (i == j ? 1.0 : 2.0) * gradients.col(i).dot(gradients.col(j));
-      });
-    }
-    const double scale = 1.0 / areas.squaredNorm();
     quadratic_ = Eigen::MatrixXd::Zero(m, m);
-    quadratic_.selfadjointView<Eigen::Lower>().rankUpdate(rows, scale);
+    linear_ = Eigen::VectorXd::Zero(m);
+    const double scale = 1.0 / pieces.areas.squaredNorm();
+    std::size_t next = 0;
+    for (Eigen::Index first = 0; first < pieces.areas.size(); first += chunk) {
+      const Eigen::Index count = std::min(chunk, pieces.areas.size() - first);
+      Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(m, count);
+      for (; next < pieces.faces.size() && pieces.parents[next] < first + count; ++next) {
+        const Eigen::Matrix2Xd gradients = scaled_gradients(input, pieces.faces[next]);
+        auto row = rows.col(pieces.parents[next] - first);
+        for_monomials(n_, [&](int k, int i, int j) {
+          row[k] += (i == j ? 1.0 : 2.0) * gradients.col(i).dot(gradients.col(j));
+        });
+      }
+      quadratic_.selfadjointView<Eigen::Lower>().rankUpdate(rows, scale);
+      linear_ += scale * (rows * pieces.areas.segment(first, count));
+    }
     quadratic_ = Eigen::MatrixXd(quadratic_.selfadjointView<Eigen::Lower>());
-    linear_ = scale * (rows * areas);
-    constant_ = 1.0;
   }
 
   int size() const override { return n_; }
 
   double value(const Eigen::VectorXd& lambda) const override {
     const Eigen::VectorXd q = monomials(lambda);
-    return q.dot(quadratic_ * q - 2.0 * linear_) + constant_;
+    return q.dot(quadratic_ * q - 2.0 * linear_) + 1.0;
+  }
+
+  Ray along(const Eigen::VectorXd& lambda) const override {
+    const Eigen::VectorXd q = monomials(lambda);
+    return {q.dot(quadratic_ * q), q.dot(linear_)};
   }
 
   void derivatives(const Eigen::VectorXd& lambda, Eigen::VectorXd& gradient,
@@ -110,79 +142,69 @@ class QuarticEnergy final : public AreaEnergy {
   int n_;
   Eigen::MatrixXd quadratic_;
   Eigen::VectorXd linear_;
-  double constant_ = 0.0;
-};
-
-// Keeps the scaled gradients of all triangles, grouped by parent.
-class FacewiseEnergy final : public AreaEnergy {
- public:
-  explicit FacewiseEnergy(const AreaEnergyInput& input) {
-    std::vector<int> faces;
-    for (std::size_t f = 0; f < input.parent_face.size(); ++f) {
-      if (input.parent_face[f] < 0) continue;
-      faces.push_back(static_cast<int>(f));
-      parent_face_.push_back(input.parent_face[f]);
-    }
-    gradients_.resize(2 * static_cast<Eigen::Index>(faces.size()), input.g.cols());
-    for (std::size_t i = 0; i < faces.size(); ++i) {
-      gradients_.middleRows<2>(2 * static_cast<Eigen::Index>(i)) =
-          scaled_gradients(input, faces[i]);
-    }
-    areas_ = parent_areas(input);
-    scale_ = 1.0 / areas_.squaredNorm();
-  }
-
-  int size() const override { return static_cast<int>(gradients_.cols()); }
-
-  double value(const Eigen::VectorXd& lambda) const override {
-    return scale_ * residuals(gradients_ * lambda).squaredNorm();
-  }
-
-  // E = sum r_T^2, r_T = |T|_lambda / rho - |T|; dr_T = 2 sum over T's pieces of G^T (G lambda).
-  void derivatives(const Eigen::VectorXd& lambda, Eigen::VectorXd& gradient,
-                   Eigen::MatrixXd& hessian) const override {
-    const Eigen::VectorXd y = gradients_ * lambda;
-    const Eigen::VectorXd r = residuals(y);
-    Eigen::VectorXd weights(y.size());
-    for (std::size_t f = 0; f < parent_face_.size(); ++f) {
-      weights.segment<2>(2 * static_cast<Eigen::Index>(f)).setConstant(r[parent_face_[f]]);
-    }
-    gradient = 4.0 * scale_ * (gradients_.transpose() * weights.cwiseProduct(y));
-    Eigen::MatrixXd slopes = Eigen::MatrixXd::Zero(areas_.size(), size());
-    for (std::size_t f = 0; f < parent_face_.size(); ++f) {
-      const auto row = 2 * static_cast<Eigen::Index>(f);
-      slopes.row(parent_face_[f]) +=
-          2.0 * y.segment<2>(row).transpose() * gradients_.middleRows<2>(row);
-    }
-    hessian = 2.0 * scale_ * (slopes.transpose() * slopes) +
-              4.0 * scale_ * (gradients_.transpose() * weights.asDiagonal() * gradients_);
-  }
-
- private:
-  Eigen::VectorXd residuals(const Eigen::VectorXd& y) const {
-    Eigen::VectorXd r = -areas_;
-    for (std::size_t f = 0; f < parent_face_.size(); ++f) {
-      r[parent_face_[f]] += y.segment<2>(2 * static_cast<Eigen::Index>(f)).squaredNorm();
-    }
-    return r;
-  }
-
-  std::vector<int> parent_face_;
-  Eigen::MatrixXd gradients_;
-  Eigen::VectorXd areas_;
-  double scale_ = 1.0;
 };
 
 }  // namespace
 
-double AreaEnergy::best_scale(const Eigen::VectorXd& lambda) const {
-  // E(t lambda) = a t^4 - 2 b t^2 + s: fitted through t = 0, 1 and sqrt(2), where it is exact.
-  const double s = value(Eigen::VectorXd::Zero(lambda.size()));
-  const double one = value(lambda) - s;
-  const double two = value(std::sqrt(2.0) * lambda) - s;
-  const double a = 0.5 * (two - 2.0 * one);
-  const double b = 0.5 * (a - one);
+FacewiseEnergy::FacewiseEnergy(const AreaEnergyInput& input) {
+  Pieces pieces(input);
+  gradients_.resize(2 * static_cast<Eigen::Index>(pieces.faces.size()), input.g.cols());
+  for (std::size_t i = 0; i < pieces.faces.size(); ++i) {
+    gradients_.middleRows<2>(2 * static_cast<Eigen::Index>(i)) =
+        scaled_gradients(input, pieces.faces[i]);
+  }
+  parent_face_ = std::move(pieces.parents);
+  areas_ = std::move(pieces.areas);
+  scale_ = 1.0 / areas_.squaredNorm();
+}
+
+Eigen::VectorXd FacewiseEnergy::images(const Eigen::VectorXd& y) const {
+  Eigen::VectorXd image = Eigen::VectorXd::Zero(areas_.size());
+  for (std::size_t f = 0; f < parent_face_.size(); ++f) {
+    image[parent_face_[f]] += y.segment<2>(2 * static_cast<Eigen::Index>(f)).squaredNorm();
+  }
+  return image;
+}
+
+double FacewiseEnergy::value(const Eigen::VectorXd& lambda) const {
+  return scale_ * (images(gradients_ * lambda) - areas_).squaredNorm();
+}
+
+AreaEnergy::Ray FacewiseEnergy::along_gradients(const Eigen::VectorXd& y) const {
+  const Eigen::VectorXd image = images(y);
+  return {scale_ * image.squaredNorm(), scale_ * image.dot(areas_)};
+}
+
+AreaEnergy::Ray FacewiseEnergy::along(const Eigen::VectorXd& lambda) const {
+  return along_gradients(gradients_ * lambda);
+}
+
+// E = sum r_T^2, r_T = |T|_lambda / rho - |T|; dr_T = 2 sum over T's pieces of G^T (G lambda).
+void FacewiseEnergy::derivatives(const Eigen::VectorXd& lambda, Eigen::VectorXd& gradient,
+                                 Eigen::MatrixXd& hessian) const {
+  const Eigen::VectorXd y = gradients_ * lambda;
+  const Eigen::VectorXd r = images(y) - areas_;
+  Eigen::VectorXd weights(y.size());
+  Eigen::MatrixXd slopes = Eigen::MatrixXd::Zero(size(), areas_.size());
+  for (std::size_t f = 0; f < parent_face_.size(); ++f) {
+    const auto row = 2 * static_cast<Eigen::Index>(f);
+    weights.segment<2>(row).setConstant(r[parent_face_[f]]);
+    slopes.col(parent_face_[f]) += gradients_.middleRows<2>(row).transpose() * y.segment<2>(row);
+  }
+  gradient = 4.0 * scale_ * (gradients_.transpose() * weights.cwiseProduct(y));
+  hessian = Eigen::MatrixXd::Zero(size(), size());
+  hessian.selfadjointView<Eigen::Lower>().rankUpdate(slopes, 8.0 * scale_);
+  hessian.triangularView<Eigen::Lower>() +=
+      4.0 * scale_ * gradients_.transpose() * (weights.asDiagonal() * gradients_);
+  hessian = Eigen::MatrixXd(hessian.selfadjointView<Eigen::Lower>());
+}
+
+double AreaEnergy::Ray::best_scale() const {
   return a > 0.0 && b > 0.0 ? std::sqrt(b / a) : 1.0;
+}
+
+double AreaEnergy::Ray::least() const {
+  return a > 0.0 && b > 0.0 ? 1.0 - b * b / a : 1.0;
 }
 
 std::vector<int> sampled_parents(const AreaEnergyInput& input, int count) {
@@ -198,12 +220,9 @@ std::unique_ptr<AreaEnergy> quartic_energy(const AreaEnergyInput& input) {
   return std::make_unique<QuarticEnergy>(input);
 }
 
-std::unique_ptr<AreaEnergy> facewise_energy(const AreaEnergyInput& input) {
-  return std::make_unique<FacewiseEnergy>(input);
-}
-
 std::unique_ptr<AreaEnergy> area_energy(const AreaEnergyInput& input) {
-  return input.g.cols() <= largest_quartic ? quartic_energy(input) : facewise_energy(input);
+  if (input.g.cols() <= largest_quartic) return quartic_energy(input);
+  return std::make_unique<FacewiseEnergy>(input);
 }
 
 }  // namespace hexwall

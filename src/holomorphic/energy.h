@@ -24,8 +24,13 @@ class AreaEnergy {
   virtual void derivatives(const Eigen::VectorXd& lambda, Eigen::VectorXd& gradient,
                            Eigen::MatrixXd& hessian) const = 0;
 
-  /// The factor t that minimises E(t lambda).
-  double best_scale(const Eigen::VectorXd& lambda) const;
+  /// a and b of E(t lambda) = a t^4 - 2 b t^2 + 1.
+  struct Ray {
+    double a, b;
+    double best_scale() const;  ///< the t of least energy
+    double least() const;       ///< the energy there
+  };
+  virtual Ray along(const Eigen::VectorXd& lambda) const = 0;
 };
 
 /// What the energy is made of, per triangle.
@@ -43,7 +48,30 @@ struct AreaEnergyInput {
 std::unique_ptr<AreaEnergy> quartic_energy(const AreaEnergyInput& input);
 
 /// The same energy evaluated triangle by triangle, O(#F n) for a value. For large n.
-std::unique_ptr<AreaEnergy> facewise_energy(const AreaEnergyInput& input);
+class FacewiseEnergy final : public AreaEnergy {
+ public:
+  explicit FacewiseEnergy(const AreaEnergyInput& input);
+
+  int size() const override { return static_cast<int>(gradients_.cols()); }
+  double value(const Eigen::VectorXd& lambda) const override;
+  void derivatives(const Eigen::VectorXd& lambda, Eigen::VectorXd& gradient,
+                   Eigen::MatrixXd& hessian) const override;
+  Ray along(const Eigen::VectorXd& lambda) const override;
+
+  /// Gradients of the potentials on the triangles, two components each, scaled such that those of
+  /// lambda, `gradients() * lambda`, have the triangle's |T|_lambda / rho as squared length.
+  const Eigen::MatrixXd& gradients() const { return gradients_; }
+  /// `along` the lambda with these gradients.
+  Ray along_gradients(const Eigen::VectorXd& y) const;
+
+ private:
+  Eigen::VectorXd images(const Eigen::VectorXd& y) const;  // |T|_lambda / rho of the parents
+
+  std::vector<int> parent_face_;  // of each triangle
+  Eigen::MatrixXd gradients_;
+  Eigen::VectorXd areas_;  // of the parents
+  double scale_ = 1.0;
+};
 
 /// `input.parent_face` with all but about `count` evenly spaced triangles of the input left out.
 std::vector<int> sampled_parents(const AreaEnergyInput& input, int count);

@@ -1,13 +1,17 @@
 #include "holomorphic/optimum.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
 #include <random>
-#include <set>
+#include <span>
+#include <utility>
 
 #include <Eigen/Eigenvalues>
 
 #include "core/cancel.h"
+#include "core/parallel.h"
 #include "core/tolerances.h"
 
 namespace hexwall {
@@ -36,6 +40,11 @@ Eigen::VectorXd trust_region_step(const Eigen::VectorXd& gradient, const Eigen::
   return eigen.eigenvectors() * step(low);
 }
 
+// A descent that would have to gain so many times what its next step promises is given up.
+constexpr double greatest_hope = 3.0;
+// A loop whose sign is flipped has at least this share of its length as circumference.
+constexpr double least_circumference = 0.1;
+
 double exterior_period(const Eigen::VectorXd& lambda) {
   return -lambda.sum();
 }
@@ -44,101 +53,206 @@ bool has_both_signs(const std::vector<int>& signs) {
   return std::any_of(signs.begin(), signs.end(), [&](int s) { return s != signs.front(); });
 }
 
-class Search {
+using Signs = std::vector<int>;
+
+/// The loops of a surface, and descents from patterns of their signs.
+class Descents {
  public:
-  Search(const AreaEnergy& energy, const std::vector<double>& lengths, int exterior,
-         const OptimumOptions& options)
-      : energy_(energy), lengths_(lengths), exterior_(exterior), options_(options) {}
+  Descents(const AreaEnergy& energy, const std::vector<double>& lengths, int exterior)
+      : energy_(energy), lengths_(lengths), exterior_(exterior) {}
 
-  OptimumResult run() {
-    if (energy_.size() <= options_.exhaustive_limit) {
-      try_every_pattern();
-    } else {
-      search_sign_flips();
-    }
-    const auto less = [](const Descent& a, const Descent& b) { return a.energy < b.energy; };
-    const auto best = std::min_element(result_.descents.begin(), result_.descents.end(), less);
-    result_.best = static_cast<int>(best - result_.descents.begin());
-    result_.lambda = oriented(best->lambda);
-    result_.energy = best->energy;
-    return std::move(result_);
+  Descent from(const Signs& signs, const std::vector<double>& circumferences,
+               double target = std::numeric_limits<double>::infinity()) const {
+    Eigen::VectorXd start = balanced_start(signs, circumferences, exterior_);
+    start *= energy_.along(start).best_scale();
+    Descent descent = descend(energy_, start, most_descent_iterations, target);
+    descent.signs = signs;
+    return descent;
   }
 
- private:
-  const Descent& descend_from(const std::vector<int>& signs) {
-    Eigen::VectorXd start = balanced_start(signs, lengths_, exterior_);
-    start *= energy_.best_scale(start);
-    result_.descents.push_back(descend(energy_, start, options_.max_iterations));
-    result_.descents.back().signs = signs;
-    return result_.descents.back();
+  std::vector<Descent> from_all(const std::vector<Signs>& patterns) const {
+    std::vector<Descent> descents(patterns.size());
+    parallel_tasks(patterns.size(),
+                   [&](std::size_t i) { descents[i] = from(patterns[i], lengths_); });
+    return descents;
   }
 
-  void try_every_pattern() {
-    for_sign_patterns(energy_.size() + 1,
-                      [&](const std::vector<int>& signs) { descend_from(signs); });
-  }
-
-  // First by the energies of the starts alone, which are cheap; a descent from each pattern found,
-  // and from the random ones, for variety; then by descents, from the best of these.
-  void search_sign_flips() {
-    std::mt19937_64 random(options_.seed);
-    std::set<std::vector<int>> patterns;
-    for (int restart = 0; restart < options_.search_restarts; ++restart) {
-      std::vector<int> signs(lengths_.size());
-      do {
-        for (int& s : signs) s = (random() >> 32 & 1U) != 0 ? -1 : 1;
-      } while (!has_both_signs(signs));
-      patterns.insert(signs);
-      improve_by_flips(signs, [&] { return start_energy(signs); });
-      patterns.insert(signs);
-    }
-    for (const std::vector<int>& signs : patterns) descend_from(signs);
-    auto sorted = result_.descents;
-    std::stable_sort(sorted.begin(), sorted.end(),
-                     [](const Descent& a, const Descent& b) { return a.energy < b.energy; });
-    const int count = std::min(options_.search_finalists, static_cast<int>(sorted.size()));
-    for (int i = 0; i < count; ++i) {
-      std::vector<int> signs = sorted[i].signs;
-      improve_by_flips(signs, [&] { return descend_from(signs).energy; });
-    }
-  }
-
-  double start_energy(const std::vector<int>& signs) const {
-    const Eigen::VectorXd start = balanced_start(signs, lengths_, exterior_);
-    return energy_.value(energy_.best_scale(start) * start);
-  }
-
-  // Flips one sign at a time as long as `energy`, of the signs as they are, falls.
-  template <typename Energy>
-  static void improve_by_flips(std::vector<int>& signs, Energy energy) {
-    double best = energy();
+  // Flips one sign after the other, with descents from there, as long as that lowers the energy.
+  void improve(Descent& best) const {
+    Signs signs = best.signs;
     int untried = static_cast<int>(signs.size());
     for (std::size_t i = 0; untried > 0; i = (i + 1) % signs.size(), --untried) {
       signs[i] = -signs[i];
-      const double flipped = has_both_signs(signs) ? energy() : best;
-      if (flipped < best - tolerance::energy_decrease) {
-        best = flipped;
-        untried = static_cast<int>(signs.size());
-      } else {
-        signs[i] = -signs[i];
+      if (has_both_signs(signs)) {
+        Descent descent = from(signs, circumferences(best), best.energy);
+        if (descent.energy < best.energy - tolerance::energy_decrease) {
+          best = std::move(descent);
+          untried = static_cast<int>(signs.size());
+          continue;
+        }
       }
+      signs[i] = -signs[i];
     }
   }
 
-  Eigen::VectorXd oriented(const Eigen::VectorXd& lambda) const {
-    Eigen::Index largest = 0;
-    const double inner = lambda.cwiseAbs().maxCoeff(&largest);
-    const double outer = exterior_period(lambda);
-    const double decisive = std::abs(outer) > inner * (1.0 + 1e-9) ? outer : lambda[largest];
-    return decisive < 0.0 ? -lambda : lambda;
+ private:
+  std::vector<double> circumferences(const Descent& descent) const {
+    std::vector<double> result(lengths_.size(), std::abs(exterior_period(descent.lambda)));
+    for (int i = 0, k = 0; i < static_cast<int>(result.size()); ++i) {
+      if (i != exterior_) result[i] = std::abs(descent.lambda[k++]);
+      result[i] = std::max(result[i], least_circumference * lengths_[i]);
+    }
+    return result;
   }
 
   const AreaEnergy& energy_;
   const std::vector<double>& lengths_;
   int exterior_;
-  const OptimumOptions& options_;
-  OptimumResult result_;
 };
+
+/// Flips and swaps signs as long as that lowers the least energy along the balanced start: the
+/// gradients of sources and sinks are summed up apart, so that a trial costs a pass over the
+/// triangles, whatever the number of loops.
+class SignSearch {
+ public:
+  SignSearch(const FacewiseEnergy& energy, const std::vector<double>& lengths, int exterior,
+             const SearchOptions& options, Signs signs)
+      : energy_(energy),
+        lengths_(lengths),
+        exterior_(exterior),
+        most_swaps_(options.most_swaps),
+        random_(options.seed),
+        signs_(std::move(signs)) {
+    best_ = energy_.along(balanced_start(signs_, lengths_, exterior_)).least();
+  }
+
+  Signs run() {
+    const int count = static_cast<int>(signs_.size());
+    for (bool improved = true; improved;) {
+      throw_if_cancelled();
+      improved = false;
+      sum_up();  // anew: rounding would add up
+      for (int i = 0; i < count; ++i) {
+        const std::array<int, 1> single{i};
+        improved = try_flips(single) || improved;
+        for (const int j : partners_of(i)) {
+          if (signs_[i] == signs_[j]) continue;
+          const std::array<int, 2> pair{i, j};
+          improved = try_flips(pair) || improved;
+        }
+      }
+    }
+    // All signs turned over are the same pattern.
+    if (signs_.front() < 0) std::transform(signs_.begin(), signs_.end(), signs_.begin(), std::negate());
+    return std::move(signs_);
+  }
+
+ private:
+  /// Sum over the loops of one sign.
+  struct Side {
+    double length = 0.0;
+    Eigen::VectorXd gradients;
+  };
+
+  // Later loops, so that each pair comes once; or random ones, if these are too many.
+  std::vector<int> partners_of(int loop) {
+    const int count = static_cast<int>(signs_.size());
+    std::vector<int> partners;
+    if (count - 1 <= most_swaps_) {
+      for (int j = loop + 1; j < count; ++j) partners.push_back(j);
+      return partners;
+    }
+    for (int i = 0; i < most_swaps_; ++i) {
+      partners.push_back(static_cast<int>(random_() % static_cast<std::uint64_t>(count)));
+    }
+    return partners;
+  }
+
+  // None for the exterior loop, whose period is that of the others.
+  bool has_gradients(int loop) const { return loop != exterior_; }
+  auto gradients(int loop) const {
+    return energy_.gradients().col(loop < exterior_ ? loop : loop - 1);
+  }
+
+  void sum_up() {
+    for (Side& side : sides_) side = {0.0, Eigen::VectorXd::Zero(energy_.gradients().rows())};
+    for (int i = 0; i < static_cast<int>(signs_.size()); ++i) add(signs_[i], i, 1.0);
+  }
+
+  void add(int sign, int loop, double factor) {
+    Side& side = sides_[sign > 0 ? 1 : 0];
+    side.length += factor * lengths_[loop];
+    if (has_gradients(loop)) side.gradients += factor * lengths_[loop] * gradients(loop);
+  }
+
+  bool try_flips(std::span<const int> loops) {
+    double positive = sides_[1].length;
+    for (const int loop : loops) positive -= signs_[loop] * lengths_[loop];
+    const double negative = sides_[0].length + sides_[1].length - positive;
+    const double least = tolerance::energy_decrease * (positive + negative);
+    if (positive <= least || negative <= least) return false;  // all of one sign
+    const double ratio = std::sqrt(negative / positive);
+    trial_ = ratio * sides_[1].gradients - sides_[0].gradients / ratio;
+    for (const int loop : loops) {
+      if (!has_gradients(loop)) continue;
+      trial_ -= signs_[loop] * (ratio + 1.0 / ratio) * lengths_[loop] * gradients(loop);
+    }
+    const double energy = energy_.along_gradients(trial_).least();
+    if (energy >= best_ - tolerance::energy_decrease) return false;
+    best_ = energy;
+    for (const int loop : loops) {
+      add(signs_[loop], loop, -1.0);
+      signs_[loop] = -signs_[loop];
+      add(signs_[loop], loop, 1.0);
+    }
+    return true;
+  }
+
+  const FacewiseEnergy& energy_;
+  const std::vector<double>& lengths_;
+  int exterior_;
+  int most_swaps_;
+  std::mt19937_64 random_;
+  Signs signs_;
+  double best_;
+  std::array<Side, 2> sides_;  // of negative and of positive signs
+  Eigen::VectorXd trial_;
+};
+
+std::vector<Signs> random_patterns(std::size_t loops, const SearchOptions& options) {
+  std::mt19937_64 random(options.seed);
+  std::vector<Signs> patterns;
+  for (int restart = 0; restart < options.restarts; ++restart) {
+    Signs signs(loops);
+    do {
+      for (int& s : signs) s = (random() >> 32 & 1U) != 0 ? -1 : 1;
+    } while (!has_both_signs(signs));
+    patterns.push_back(std::move(signs));
+  }
+  return patterns;
+}
+
+Eigen::VectorXd oriented(const Eigen::VectorXd& lambda) {
+  Eigen::Index largest = 0;
+  const double inner = lambda.cwiseAbs().maxCoeff(&largest);
+  const double outer = exterior_period(lambda);
+  const double decisive = std::abs(outer) > inner * (1.0 + 1e-9) ? outer : lambda[largest];
+  return decisive < 0.0 ? -lambda : lambda;
+}
+
+bool has_less_energy(const Descent& a, const Descent& b) {
+  return a.energy < b.energy;
+}
+
+OptimumResult best_of(std::vector<Descent> descents) {
+  OptimumResult result;
+  const auto best = std::min_element(descents.begin(), descents.end(), has_less_energy);
+  result.best = static_cast<int>(best - descents.begin());
+  result.lambda = oriented(best->lambda);
+  result.energy = best->energy;
+  result.descents = std::move(descents);
+  return result;
+}
 
 }  // namespace
 
@@ -158,7 +272,8 @@ Eigen::VectorXd balanced_start(const std::vector<int>& signs, const std::vector<
   return lambda;
 }
 
-Descent descend(const AreaEnergy& energy, const Eigen::VectorXd& start, int max_iterations) {
+Descent descend(const AreaEnergy& energy, const Eigen::VectorXd& start, int max_iterations,
+                double target) {
   Descent descent;
   descent.lambda = start;
   descent.energy = energy.value(start);
@@ -172,6 +287,7 @@ Descent descend(const AreaEnergy& energy, const Eigen::VectorXd& start, int max_
     const Eigen::VectorXd step = trust_region_step(gradient, hessian, radius);
     const double predicted = -gradient.dot(step) - 0.5 * step.dot(hessian * step);
     if (!(predicted > tolerance::energy_decrease)) break;
+    if (descent.energy - greatest_hope * predicted > target) break;
     const double next = energy.value(descent.lambda + step);
     const double ratio = (descent.energy - next) / predicted;
     if (ratio < 0.25) radius *= 0.25;
@@ -186,8 +302,29 @@ Descent descend(const AreaEnergy& energy, const Eigen::VectorXd& start, int max_
 }
 
 OptimumResult optimal_form(const AreaEnergy& energy, const std::vector<double>& loop_lengths,
-                           int exterior, const OptimumOptions& options) {
-  return Search(energy, loop_lengths, exterior, options).run();
+                           int exterior) {
+  std::vector<Signs> patterns;
+  for_sign_patterns(energy.size() + 1, [&](const Signs& signs) { patterns.push_back(signs); });
+  return best_of(Descents(energy, loop_lengths, exterior).from_all(patterns));
+}
+
+OptimumResult search_optimal_form(const FacewiseEnergy& energy,
+                                  const std::vector<double>& loop_lengths, int exterior,
+                                  const SearchOptions& options) {
+  std::vector<Signs> patterns = random_patterns(loop_lengths.size(), options);
+  parallel_tasks(patterns.size(), [&](std::size_t i) {
+    patterns[i] = SignSearch(energy, loop_lengths, exterior, options, patterns[i]).run();
+  });
+  std::sort(patterns.begin(), patterns.end());
+  patterns.erase(std::unique(patterns.begin(), patterns.end()), patterns.end());
+  const Descents descents(energy, loop_lengths, exterior);
+  std::vector<Descent> all = descents.from_all(patterns);
+  std::stable_sort(all.begin(), all.end(), has_less_energy);
+  const auto count = std::min(all.size(), static_cast<std::size_t>(options.finalists));
+  std::vector<Descent> finalists(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(count));
+  parallel_tasks(count, [&](std::size_t i) { descents.improve(finalists[i]); });
+  all.insert(all.end(), finalists.begin(), finalists.end());
+  return best_of(std::move(all));
 }
 
 }  // namespace hexwall

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include <Eigen/Core>
@@ -9,12 +10,16 @@
 
 namespace hexwall {
 
-struct OptimumOptions {
-  int exhaustive_limit = 12;  ///< up to this n every sign pattern is a start
-  int search_restarts = 16;   ///< random patterns of the sign-flip search above that
-  int search_finalists = 16;  ///< patterns that are improved by whole descents
-  std::uint64_t seed = 1;     ///< of the sign-flip search
-  int max_iterations = 200;   ///< of one trust-region descent
+/// Above as many circumferences not every sign pattern is tried.
+inline constexpr int most_for_every_pattern = 12;
+inline constexpr int most_descent_iterations = 200;
+
+struct SearchOptions {
+  int restarts = 16;       ///< random sign patterns to start from
+  int finalists = 1;       ///< minima that are improved by descents with one sign flipped
+  int most_swaps = 64;     ///< loops with which each one is tried to be swapped, at random if fewer
+                           ///< than all
+  std::uint64_t seed = 1;  ///< of the random choices
 };
 
 /// One descent: from a sign pattern to a local minimum.
@@ -35,12 +40,20 @@ struct OptimumResult {
 /// The form of least energy, by trust-region Newton descents from |lambda_i| = length of loop i
 /// with every pattern of signs (a loop can be a source or a sink): E has one family of local minima
 /// per pattern. Patterns run over all n+1 loops and are balanced so that the periods sum to zero;
-/// the choice of the exterior loop therefore does not matter. Above `exhaustive_limit` a seeded
-/// search flips single signs. The sign of the result is fixed: the circumference of greatest
-/// magnitude among all loops is positive.
+/// the choice of the exterior loop therefore does not matter. The sign of the result is fixed: the
+/// circumference of greatest magnitude among all loops is positive. Descents run in parallel; the
+/// result does not depend on the number of threads.
 /// \param loop_lengths n+1 lengths; basis element i belongs to loop i < exterior ? i : i + 1.
 OptimumResult optimal_form(const AreaEnergy& energy, const std::vector<double>& loop_lengths,
-                           int exterior, const OptimumOptions& options = {});
+                           int exterior);
+
+/// A form of low energy where there are too many patterns to try them all. From random patterns,
+/// flips of one sign and swaps of two opposite ones are taken as long as they lower the energy of
+/// the start of a descent, which costs next to nothing; descents follow from the patterns found, and
+/// descents from the best minima with one sign flipped.
+OptimumResult search_optimal_form(const FacewiseEnergy& energy,
+                                  const std::vector<double>& loop_lengths, int exterior,
+                                  const SearchOptions& options = {});
 
 /// Calls visit(signs) for every pattern of the signs of `loops` loops in which both occur. The sign
 /// of the first one stays +1: E(-lambda) = E(lambda).
@@ -60,6 +73,8 @@ Eigen::VectorXd balanced_start(const std::vector<int>& signs, const std::vector<
                                int exterior);
 
 /// A trust-region Newton descent from `start`; `iterations` of the result starts with E(start).
-Descent descend(const AreaEnergy& energy, const Eigen::VectorXd& start, int max_iterations);
+/// \param target it is given up where it does not look like falling below that.
+Descent descend(const AreaEnergy& energy, const Eigen::VectorXd& start, int max_iterations,
+                double target = std::numeric_limits<double>::infinity());
 
 }  // namespace hexwall

@@ -200,8 +200,8 @@ class Judge {
     explicit Starts(const AreaEnergy& energy) : energy_(energy) {}
 
     void add(const Eigen::VectorXd& direction) {
-      const Eigen::VectorXd lambda = energy_.best_scale(direction) * direction;
-      starts_.emplace_back(energy_.value(lambda), lambda);
+      const AreaEnergy::Ray ray = energy_.along(direction);
+      starts_.emplace_back(ray.least(), ray.best_scale() * direction);
     }
 
     std::vector<Eigen::VectorXd> best(std::size_t count) {
@@ -268,7 +268,7 @@ class Judge {
     best.energy = std::numeric_limits<double>::max();
     for (const Eigen::VectorXd& start :
          starts.best(few ? descents_few_forms : descents_many_forms)) {
-      Descent descent = descend(energy, start, max_iterations_);
+      Descent descent = descend(energy, start, most_descent_iterations);
       if (descent.energy < best.energy) best = std::move(descent);
     }
     return best;
@@ -277,7 +277,6 @@ class Judge {
   const FormProblem& problem_;
   const FormSolution& s_;
   double left_out_;
-  int max_iterations_ = OptimumOptions{}.max_iterations;
   std::vector<int> faces_;       // #F of the refined surface: number among the judged ones, or -1
   Eigen::VectorXd rho_;          // of the judged triangles
   std::vector<double> lengths_;  // of the loops, and of one around the blind region

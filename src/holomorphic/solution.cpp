@@ -12,13 +12,22 @@
 namespace hexwall {
 namespace {
 
-// Beyond as many loops the search for the best signs runs on a sample of the triangles, enough of
-// them for each loop that the order of the energies is that on all.
-constexpr int most_loops_on_all_triangles = 16;
-constexpr int sampled_triangles_per_loop = 128;
-constexpr int finalists_of_many_loops = 3;
-// Beyond as many, the coefficients of the quartic cost more than a pass over the sample.
-constexpr int most_loops_as_quartic = 60;
+// Where not every pattern of signs is tried, the search runs on a sample of the triangles, enough
+// of them for each loop that the order of the energies is nearly that on all; of many loops, fewer
+// for each, and what grows with their number squared is tried less.
+constexpr int sampled_triangles = 6400;
+constexpr int most_sampled_per_loop = 128;
+constexpr int least_sampled_per_loop = 32;
+constexpr int many_loops = 64;
+constexpr int restarts_of_many_loops = 4;
+constexpr int swaps_of_many_loops = 32;
+// The last descent takes as many triangles as its second derivatives are worth: their cost is this
+// number times the loops squared.
+constexpr double most_products = 2e9;
+
+int sample_size(int n) {
+  return n * std::clamp(sampled_triangles / n, least_sampled_per_loop, most_sampled_per_loop);
+}
 
 // Brings the loops of the punctured surface in the order: those of the surface, then the holes.
 // \returns for each of them its number in `mesh`.
@@ -112,20 +121,27 @@ void find_optimum(const FormProblem& problem, FormSolution& s) {
   const Eigen::MatrixXd g = potentials(s.basis);
   const auto face_count = static_cast<int>(problem.surface.triangles.size());
   const AreaEnergyInput input{s.refined.surface, s.refined.parent_face, face_count, g, rho};
-  const auto energy = area_energy(input);
   const std::vector<double> lengths = wanted_circumferences(problem, s);
   const int n = s.basis.size();
-  if (n <= most_loops_on_all_triangles) {
-    s.optimum = optimal_form(*energy, lengths, s.basis.exterior);
+  if (n <= most_for_every_pattern) {
+    s.optimum = optimal_form(*quartic_energy(input), lengths, s.basis.exterior);
     return;
   }
-  const std::vector<int> parents = sampled_parents(input, sampled_triangles_per_loop * n);
-  const AreaEnergyInput sample{input.surface, parents, input.parent_count, input.g, input.rho};
-  const auto coarse = n <= most_loops_as_quartic ? quartic_energy(sample) : facewise_energy(sample);
-  OptimumOptions options;
-  options.search_finalists = finalists_of_many_loops;
-  s.optimum = optimal_form(*coarse, lengths, s.basis.exterior, options);
-  Descent last = descend(*energy, s.optimum.lambda, OptimumOptions{}.max_iterations);
+  const auto on_sample = [&](int count) {
+    const std::vector<int> parents = sampled_parents(input, count);
+    return FacewiseEnergy({input.surface, parents, input.parent_count, input.g, input.rho});
+  };
+  SearchOptions options;
+  if (n > many_loops) {
+    options.restarts = restarts_of_many_loops;
+    options.finalists = 0;
+    options.most_swaps = swaps_of_many_loops;
+  }
+  s.optimum =
+      search_optimal_form(on_sample(sample_size(n)), lengths, s.basis.exterior, options);
+  const double most = std::min<double>(face_count, most_products / (n * n));
+  Descent last =
+      descend(on_sample(static_cast<int>(most)), s.optimum.lambda, most_descent_iterations);
   last.signs = s.optimum.descents[s.optimum.best].signs;
   s.optimum.lambda = last.lambda;
   s.optimum.energy = last.energy;

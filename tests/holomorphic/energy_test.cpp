@@ -25,7 +25,7 @@ class Energy : public testing::TestWithParam<std::string> {
     for (int f = 0; f < h_.input_faces; ++f) rho_[f] = 1.0 + 0.5 * std::sin(f);
     const AreaEnergyInput input{h_.surface(), h_.refined.parent_face, h_.input_faces, h_.g, rho_};
     quartic_ = quartic_energy(input);
-    facewise_ = facewise_energy(input);
+    facewise_ = std::make_unique<FacewiseEnergy>(input);
     // About the scale of the optimum, where the energy is of order one.
     scale_ = std::sqrt(total_area(h_.surface()));
   }
@@ -117,7 +117,7 @@ TEST_P(Energy, IsEvenAndEndsAtTheWeight) {
 TEST_P(Energy, BestScaleIsTheMinimiserAlongTheRay) {
   for (int i = 0; i < 10; ++i) {
     const Eigen::VectorXd lambda = random_lambda();
-    const double t = quartic_->best_scale(lambda);
+    const double t = quartic_->along(lambda).best_scale();
     ASSERT_GT(t, 0.0);
     Eigen::VectorXd gradient;
     Eigen::MatrixXd hessian;
@@ -127,7 +127,10 @@ TEST_P(Energy, BestScaleIsTheMinimiserAlongTheRay) {
     for (const double factor : {0.0, 0.5, 0.9, 0.99, 1.01, 1.1, 2.0}) {
       EXPECT_GT(quartic_->value(factor * t * lambda), least);
     }
-    EXPECT_NEAR(quartic_->best_scale(3.0 * lambda), t / 3.0, 1e-8 * t);
+    EXPECT_NEAR(quartic_->along(3.0 * lambda).best_scale(), t / 3.0, 1e-8 * t);
+    EXPECT_NEAR(quartic_->along(lambda).least(), least, 1e-12);
+    EXPECT_NEAR(facewise_->along(lambda).best_scale(), t, 1e-8 * t);
+    EXPECT_NEAR(facewise_->along(lambda).least(), least, 1e-10);
   }
 }
 
@@ -138,7 +141,7 @@ TEST(EnergyOfCylinder, VanishesAtTheDevelopment) {
   const double perimeter = 48.0 * std::sin(std::acos(-1.0) / 24.0);
   const Eigen::VectorXd lambda = Eigen::VectorXd::Constant(1, perimeter);
   EXPECT_NEAR(energy->value(lambda), 0.0, 1e-12);
-  EXPECT_NEAR(energy->best_scale(0.3 * lambda), 1.0 / 0.3, 1e-8);
+  EXPECT_NEAR(energy->along(0.3 * lambda).best_scale(), 1.0 / 0.3, 1e-8);
 }
 
 TEST(EnergyOfManyLoops, IsTheCheaperOfTheTwo) {

@@ -156,9 +156,7 @@ TEST(OptimumSearch, FlippingSignsFindsWhatTryingAllDoes) {
     SCOPED_TRACE(name);
     const Harmonic h = harmonic(*test::vessel_surface(name));
     const OptimumResult exhaustive = optimum_of(h);
-    OptimumOptions options;
-    options.exhaustive_limit = 0;
-    const OptimumResult searched = optimum_of(h, options);
+    const OptimumResult searched = test::searched_optimum_of(h);
     EXPECT_NEAR(searched.energy, exhaustive.energy, 1e-10);
     EXPECT_LT((searched.lambda - exhaustive.lambda).norm(), 1e-3 * exhaustive.lambda.norm());
     for (const Descent& descent : searched.descents) EXPECT_LE(searched.energy, descent.energy);
@@ -167,12 +165,22 @@ TEST(OptimumSearch, FlippingSignsFindsWhatTryingAllDoes) {
 
 TEST(OptimumSearch, IsReproducible) {
   const Harmonic h = harmonic(*test::vessel_surface("bifurcation"));
-  OptimumOptions options;
-  options.exhaustive_limit = 0;
-  const OptimumResult once = optimum_of(h, options);
-  const OptimumResult again = optimum_of(h, options);
+  const OptimumResult once = test::searched_optimum_of(h);
+  const OptimumResult again = test::searched_optimum_of(h);
   EXPECT_EQ(once.lambda, again.lambda);
   EXPECT_EQ(once.descents.size(), again.descents.size());
+}
+
+TEST(Descend, GivesUpWhatIsHopeless) {
+  const Harmonic h = harmonic(*test::vessel_surface("tree"));
+  const auto energy = test::energy_of(h);
+  const Eigen::VectorXd start = Eigen::VectorXd::LinSpaced(h.n(), 20.0, -20.0);
+  const Descent whole = descend(*energy, start, 200);
+  const Eigen::VectorXd near = 1.1 * whole.lambda;
+  const Descent hopeful = descend(*energy, near, 200, 1.01 * whole.energy);
+  EXPECT_NEAR(hopeful.energy, whole.energy, 1e-9);
+  const Descent hopeless = descend(*energy, start, 200, 0.5 * whole.energy);
+  EXPECT_LT(hopeless.iterations.size(), whole.iterations.size());
 }
 
 TEST(Descend, StopsAtTheLimitOfIterations) {

@@ -53,8 +53,14 @@ inline std::unique_ptr<AreaEnergy> energy_of(const Harmonic& h) {
   return area_energy({h.surface(), h.refined.parent_face, h.input_faces, h.g, rho});
 }
 
-inline OptimumResult optimum_of(const Harmonic& h, const OptimumOptions& options = {}) {
-  return optimal_form(*energy_of(h), loop_lengths(h.surface(), h.mesh), h.basis.exterior, options);
+inline OptimumResult optimum_of(const Harmonic& h) {
+  return optimal_form(*energy_of(h), loop_lengths(h.surface(), h.mesh), h.basis.exterior);
+}
+
+inline OptimumResult searched_optimum_of(const Harmonic& h, const SearchOptions& options = {}) {
+  const Eigen::VectorXd rho = Eigen::VectorXd::Ones(h.input_faces);
+  const FacewiseEnergy energy({h.surface(), h.refined.parent_face, h.input_faces, h.g, rho});
+  return search_optimal_form(energy, loop_lengths(h.surface(), h.mesh), h.basis.exterior, options);
 }
 
 /// Gradient on triangle `f` of the function whose differences along two half-edges of the triangle,
