@@ -47,7 +47,7 @@ ColumnSearch::ColumnSearch(QuadMesh& quads, std::vector<SurfacePoint>& places,
   }
 }
 
-bool ColumnSearch::improve(int v, double step, const std::function<double(int)>& cost_around,
+bool ColumnSearch::improve(int v, double step, const std::function<double(int, double)>& cost_around,
                            const std::function<bool(int)>& is_allowed) {
   throw_if_cancelled();
   const SurfacePoint place = places_[v];
@@ -56,7 +56,7 @@ bool ColumnSearch::improve(int v, double step, const std::function<double(int)>&
   const Vec3 e2 = direction.cross(e1);
   const double move = widest_move * step * shortest_edge(v);
   const double tilt = widest_tilt * step;
-  double best = cost_around(v) * (1.0 - least_gain);
+  double best = cost_around(v, std::numeric_limits<double>::infinity()) * (1.0 - least_gain);
   SurfacePoint best_place = place;
   Vec3 best_direction = direction;
   bool found = false;
@@ -66,7 +66,7 @@ bool ColumnSearch::improve(int v, double step, const std::function<double(int)>&
     const bool moves = i < step_directions;
     set(v, moves ? projector_.project(place.position + move * tangent, place.face) : place,
         moves ? direction : (direction + tilt * tangent).normalized());
-    const double cost = cost_around(v);
+    const double cost = cost_around(v, best);
     if (cost >= best || !is_allowed(v)) continue;
     best = cost;
     best_place = places_[v];

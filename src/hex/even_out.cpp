@@ -123,22 +123,25 @@ class Evener {
     return vertices;
   }
 
-  double cost_around(int v) const {
+  // Summed up as far as it stays below `limit`: most trials are given up early.
+  double cost_around(int v, double limit = std::numeric_limits<double>::infinity()) const {
     const double skew_weight = squared(first_skew_weight, squarings_ - first_squarings);
     double sum = 0.0;
     for (const int q : search_.columns_around(v)) {
       const Column column = search_.column(q);
       sum += corner_deficit(column, search_.levels(), squarings_) + skew_weight * skew(column);
+      if (sum >= limit) return sum;
       if (is_hopeless_[q] != 0) continue;
       const double split = face_split(column, search_.levels());
       sum += squared(goals_.split_weight * (1.0 - split), squarings_);
+      if (sum >= limit) return sum;
     }
     return sum;
   }
 
   bool improve(int v, double step) {
     return search_.improve(
-        v, step, [this](int w) { return cost_around(w); },
+        v, step, [this](int w, double limit) { return cost_around(w, limit); },
         [this](int w) {
           return search_.shortest_edge(w) >= least_edge_[w] &&
                  (!goals_.keeps_face_tets || have_face_tets(w));

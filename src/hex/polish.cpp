@@ -89,10 +89,13 @@ class Mender {
     return vertices;
   }
 
-  double cost_around(int v) const {
+  // Summed up as far as it stays below `limit`.
+  double cost_around(int v, double limit) const {
     double sum = 0.0;
-    for (const int q : search_.columns_around(v))
+    for (const int q : search_.columns_around(v)) {
       sum += shortfall(q) + skew_weight * skew(search_.column(q));
+      if (sum >= limit) break;
+    }
     return sum;
   }
 
@@ -108,7 +111,7 @@ class Mender {
   bool improve(int v) {
     const double thin_quality = thin_quality_around(v);
     const bool improved = search_.improve(
-        v, step_[v], [this](int w) { return cost_around(w); },
+        v, step_[v], [this](int w, double limit) { return cost_around(w, limit); },
         [&](int w) { return thin_quality_around(w) >= thin_quality; });
     if (!improved) return false;
     for (const int q : search_.columns_around(v)) shortfall_[q] = shortfall(q);
