@@ -16,6 +16,10 @@ namespace {
 
 using Corners = std::array<Vec3, 4>;
 
+// No edge gets shorter than this share of the size wanted, unless it is already: corners may be
+// right on edges of no length, but cells on them are slivers.
+constexpr double least_edge = 0.05;
+
 // The rectangle nearest to a quad in turn and position, its sides pulled towards the target size.
 Corners fitted_rectangle(const Corners& p, const QuadSize& size, double size_weight) {
   const Vec3 center = 0.25 * (p[0] + p[1] + p[2] + p[3]);
@@ -127,7 +131,20 @@ class Relaxer {
     }
   }
 
-  // Takes back the moves of all corners of quads that would become worse than the worst one was.
+  // Whether an edge of a quad is much too short, and has become shorter.
+  bool is_pinched(int q) const {
+    const Corners before = corners_of(mesh_, q);
+    const Corners after = corners_of(moved_, q);
+    const double least = least_edge * std::min(size_[q].along_x, size_[q].along_y);
+    for (int k = 0; k < 4; ++k) {
+      const double length = (after[k] - after[(k + 1) % 4]).norm();
+      if (length < least && length < (before[k] - before[(k + 1) % 4]).norm()) return true;
+    }
+    return false;
+  }
+
+  // Takes back the moves of all corners of quads that would become worse than the worst one was, or
+  // pinched.
   void undo_harmful_moves() {
     std::vector<double> before(mesh_.quads.size());
     parallel_for(before.size(), [&](std::size_t q) {
@@ -139,7 +156,8 @@ class Relaxer {
     std::iota(suspects.begin(), suspects.end(), 0);
     while (!suspects.empty()) {
       parallel_for(suspects.size(), [&](std::size_t i) {
-        harmful[suspects[i]] = scaled_jacobian(corners_of(moved_, suspects[i])) < worst ? 1 : 0;
+        const int q = suspects[i];
+        harmful[q] = scaled_jacobian(corners_of(moved_, q)) < worst || is_pinched(q) ? 1 : 0;
       });
       std::vector<int> undone;
       for (const int q : suspects) {

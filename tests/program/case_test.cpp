@@ -67,8 +67,8 @@ std::size_t lines_that_begin(const std::string& text, const std::string& label) 
 
 TEST(CaseCommand, SaysOnceWhatEachOpeningIs) {
   const TemporaryFolder folder;
-  const auto made = run_hexwall(
-      {"case", surface_in(folder), "-o", (folder / "run").string(), "--size", "0.8"});
+  const auto made =
+      run_hexwall({"case", surface_in(folder), "-o", (folder / "run").string(), "--size", "0.8"});
   ASSERT_EQ(made.exit_code, 0) << made.err;
   EXPECT_EQ(lines_that_begin(made.out, "inlet"), 1) << made.out;
   EXPECT_EQ(lines_that_begin(made.out, "outlet"), 2) << made.out;
