@@ -19,6 +19,7 @@ import matplotlib.pyplot as plt  # noqa: E402
 
 SAC = 24e-3  # m: the wall at x beyond it is that of the sac and of nothing else
 CLOSE = 0.05
+TICKS = {"cells": (10000, 30000, 100000), "seconds": (10, 30, 100, 300)}
 
 
 def measure(case):
@@ -54,10 +55,12 @@ def plot(kinds, limit, path):
         if key == "sac":
             axis.axhspan((1 - CLOSE) * limit, (1 + CLOSE) * limit, color="gray", alpha=0.2,
                          label=f"within {100 * CLOSE:.0f} %")
+        axis.set_xticks(TICKS[value], [f"{tick:,}".replace(",", " ") for tick in TICKS[value]])
+        axis.minorticks_off()
         axis.set_xlabel(label)
         axis.set_title(f"mean wall shear stress, {key}, in Pa", fontsize=10)
-        axis.grid(True, which="both", alpha=0.3)
-        axis.legend()
+        axis.grid(True, alpha=0.3)
+        axis.legend(loc="lower right")
     figure.tight_layout()
     figure.savefig(path, dpi=90)
 

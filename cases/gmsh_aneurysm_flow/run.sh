@@ -24,12 +24,12 @@ run() {
   build/hexwall shear "$folder" -o "$folder"
 }
 
-for size in 2.4 2 1.5 1.2 1; do
+for size in 2.4 2 1.5 1.2 1 0.85; do
   run hybrid $size --layers 10 --growth 1.2 --thickness-ratio 0.3
 done
 for size in 2 1.5 1.2 1 0.85; do
   run tet $size
 done
 python3 cases/gmsh_aneurysm_flow/compare.py "$out"
-xvfb-run -a build/hexwall-picture "$out/hybrid_1/wall.vtp" -o "$out/shear.png" --array wss \
+xvfb-run -a build/hexwall-picture "$out/hybrid_0.85/wall.vtp" -o "$out/shear.png" --array wss \
   --range 0,2 --view=0.2,-1,0.2 --size 1000x700
