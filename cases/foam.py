@@ -40,7 +40,7 @@ def field(case, time, name, patch=None):
 
 
 class Patch:
-    """Centres and area vectors of the faces of a patch."""
+    """Centres, area vectors and areas of the faces of a patch."""
 
     def __init__(self, case, name):
         mesh = os.path.join(case, "constant/polyMesh")
@@ -49,16 +49,41 @@ class Patch:
         start = int(re.search(r"startFace\s+(\d+)", entry)[1])
         points = _list(text_of(mesh, "points"), 3)
         faces = re.findall(r"\d\(([\d ]+)\)", text_of(mesh, "faces"))[start : start + count]
+        self.corners = [points[[int(c) for c in corners.split()]] for corners in faces]
         self.centers = numpy.zeros((count, 3))
         self.areas = numpy.zeros((count, 3))
-        for i, corners in enumerate(faces):
-            p = points[[int(c) for c in corners.split()]]
+        for i, p in enumerate(self.corners):
             q = numpy.roll(p, -1, axis=0)
             middle = p.mean(axis=0)
             triangles = 0.5 * numpy.cross(p - middle, q - middle)
             weight = numpy.linalg.norm(triangles, axis=1)
             self.areas[i] = triangles.sum(axis=0)
             self.centers[i] = (weight[:, None] * (p + q + middle) / 3).sum(axis=0) / weight.sum()
+        self.area = numpy.linalg.norm(self.areas, axis=1)
+
+    def share_beyond(self, axis, limit):
+        """Share of each face's area whose coordinate is above a limit: faces are cut by the plane."""
+        share = numpy.zeros(len(self.corners))
+        for i, p in enumerate(self.corners):
+            above = p[:, axis] - limit
+            if above.min() >= 0.0:
+                share[i] = 1.0
+            elif above.max() > 0.0:
+                share[i] = min(1.0, _area_above(p, above) / self.area[i])
+        return share
+
+
+def _area_above(corners, above):
+    """Area of the part of a polygon where a linear function, with the values `above` at its corners,
+    is positive."""
+    kept = []
+    for p, q, u, v in zip(corners, numpy.roll(corners, -1, axis=0), above, numpy.roll(above, -1)):
+        if u > 0.0:
+            kept.append(p)
+        if (u > 0.0) != (v > 0.0):
+            kept.append(p + (q - p) * u / (u - v))
+    spokes = numpy.array(kept) - kept[0]
+    return 0.5 * numpy.linalg.norm(numpy.cross(spokes[:-1], spokes[1:]).sum(axis=0))
 
 
 def report(case):
@@ -69,9 +94,70 @@ def log_of(case):
     return text_of(glob.glob(os.path.join(case, "log.simpleFoam"))[0])
 
 
+def last_value(case, name):
+    """What a function object of the solver has written last."""
+    path = sorted(glob.glob(os.path.join(case, "postProcessing", name, "*", "*.dat")))[-1]
+    return float(text_of(path).split()[-1])
+
+
+def flows(case):
+    """Flow out of each opening in m³/s at the end, by name; into the inlet it is negative."""
+    flow = report(case)["flow"]
+    names = [flow["inlet"]["patch"]] + [outlet["patch"] for outlet in flow["outlets"]]
+    return {name: last_value(case, "flowRate_" + name) for name in names}
+
+
+def imbalance(case):
+    """What of the inflow does not come out again, as a share of it."""
+    values = list(flows(case).values())
+    return abs(sum(values) / values[0])
+
+
 def seconds(case):
     """CPU time of the solver."""
     return float(re.findall(r"ExecutionTime = ([\d.]+)", log_of(case))[-1])
+
+
+def wall_shear(case):
+    """The wall, and the wall shear stress on each of its faces over the density, in m²/s²."""
+    return Patch(case, "wall"), numpy.linalg.norm(
+        field(case, last_time(case), "wallShearStress", "wall"), axis=1)
+
+
+def run_of(case):
+    """What is said of every run: the case's folder is named KIND_SIZE."""
+    return {
+        "name": os.path.basename(case),
+        "size": float(case.rsplit("_", 1)[1]),
+        "cells": report(case)["lumen"]["cells"],
+        "seconds": seconds(case),
+        "iterations": iterations(case),
+    }
+
+
+def runs_of(folder, measure):
+    """What `measure` says of the runs FOLDER/hybrid_SIZE and FOLDER/tet_SIZE, from coarse to fine."""
+    return {
+        kind: sorted(
+            (measure(case) for case in glob.glob(os.path.join(folder, kind + "_*"))),
+            key=lambda run: -run["size"])
+        for kind in ("hybrid", "tet")}
+
+
+def table(runs, columns):
+    """A table in Markdown: of all runs, name, cells, iterations and seconds, and `columns`, from a
+    heading to a function that has its text from a run."""
+    print("| mesh | cells | iterations | solver | " + " | ".join(columns) + " |")
+    print("|---" * (4 + len(columns)) + "|")
+    for run in (run for kind in runs.values() for run in kind):
+        cells = [run["name"].replace("_", " "), str(run["cells"]), str(run["iterations"]),
+                 f"{run['seconds']:.1f} s"]
+        print("| " + " | ".join(cells + [text(run) for text in columns.values()]) + " |")
+
+
+def write_results(folder, results):
+    with open(os.path.join(folder, "results.json"), "w", encoding="utf-8") as file:
+        json.dump(results, file, indent=1)
 
 
 def iterations(case):

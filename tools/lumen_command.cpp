@@ -94,8 +94,8 @@ ExitCode run(const LumenCommand& c) {
   folder.commit();
   const std::string& units = c.lumen.surface.input.units;
   log_notes(log, surface.prepared);
-  log.info("{}{}  {:<10} {}", summary(surface.result, units), lumen_summary(run.lumen, units),
-           "results", folder.path().string());
+  log.info("{}{}{}  {:<10} {}", summary(surface.result, units), lumen_summary(run.lumen, units),
+           openings_summary(run.lumen, units), "results", folder.path().string());
   log_times(log, surface);
   for (const StageTime& time : run.lumen.times) {
     log.debug("  {:<10} {:.3f} s", time.stage, time.seconds);

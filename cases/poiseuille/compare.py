@@ -5,8 +5,6 @@ against Poiseuille's solution, as a table, results.json and a plot.
 compare.py FOLDER: the runs are FOLDER/hybrid_SIZE and FOLDER/tet_SIZE.
 """
 
-import glob
-import json
 import os
 import sys
 
@@ -35,31 +33,23 @@ def measure(case):
     report = foam.report(case)
     flow = report["flow"]
     nu = flow["fluid"]["viscosity"] / flow["fluid"]["density"]
-    time = foam.last_time(case)
-    wall = foam.Patch(case, "wall")
-    area = numpy.linalg.norm(wall.areas, axis=1)
+    wall, shear = foam.wall_shear(case)
     z = wall.centers[:, 2]
     length = z.max() + z.min()
     inside = (z > 0.25 * length) & (z < 0.75 * length)
-    shear = numpy.linalg.norm(foam.field(case, time, "wallShearStress", "wall"), axis=1)
-    slope = slope_of_pressure(case, time, length)
+    slope = slope_of_pressure(case, foam.last_time(case), length)
 
     def errors(radius):
         exact_shear = 4 * nu * flow["flow_rate"] / (numpy.pi * radius**3)
         exact_slope = 8 * nu * flow["flow_rate"] / (numpy.pi * radius**4)
         off = shear[inside] / exact_shear - 1
         return {
-            "shear_rms": float(numpy.sqrt(numpy.average(off**2, weights=area[inside]))),
-            "shear_mean": float(numpy.average(off, weights=area[inside])),
+            "shear_rms": float(numpy.sqrt(numpy.average(off**2, weights=wall.area[inside]))),
+            "shear_mean": float(numpy.average(off, weights=wall.area[inside])),
             "pressure_drop": float(slope / exact_slope - 1),
         }
 
-    return {
-        "name": os.path.basename(case),
-        "size": float(case.rsplit("_", 1)[1]),
-        "cells": report["lumen"]["cells"],
-        "seconds": foam.seconds(case),
-        "iterations": foam.iterations(case),
+    return foam.run_of(case) | {
         # What is meshed is a prism over a polygon: its circle of equal area is smaller.
         "area": flow["inlet"]["area"] / (numpy.pi * RADIUS**2) - 1,
         "tube": errors(RADIUS),
@@ -107,27 +97,20 @@ def plot(kinds, path):
 
 
 def main(folder):
-    kinds = {}
-    for name in ("hybrid", "tet"):
-        runs = [measure(case) for case in glob.glob(os.path.join(folder, name + "_*"))]
-        kinds[name] = sorted(runs, key=lambda r: -r["size"])
-    print("| mesh | cells | iterations | solver | area | shear, rms | mean | pressure drop "
-          "| of the meshed tube: shear, rms | mean | pressure drop |")
-    print("|---" * 11 + "|")
-    for runs in kinds.values():
-        for r in runs:
-            t, m = r["tube"], r["meshed"]
-            print(f"| {r['name'].replace('_', ' ')} | {r['cells']} | {r['iterations']} "
-                  f"| {r['seconds']:.1f} s | {100 * r['area']:+.1f} % | {100 * t['shear_rms']:.2f} % "
-                  f"| {100 * t['shear_mean']:+.2f} % | {100 * t['pressure_drop']:+.2f} % "
-                  f"| {100 * m['shear_rms']:.2f} % | {100 * m['shear_mean']:+.2f} % | {100 * m['pressure_drop']:+.2f} % |")
+    kinds = foam.runs_of(folder, measure)
+    columns = {"area": lambda r: f"{100 * r['area']:+.1f} %"}
+    for kind, where in (("tube", "of the tube"), ("meshed", "of the meshed tube")):
+        columns |= {
+            f"{where}: shear, rms": lambda r, k=kind: f"{100 * r[k]['shear_rms']:.2f} %",
+            f"{where}: mean": lambda r, k=kind: f"{100 * r[k]['shear_mean']:+.2f} %",
+            f"{where}: pressure drop": lambda r, k=kind: f"{100 * r[k]['pressure_drop']:+.2f} %"}
+    foam.table(kinds, columns)
     # Of wall shear stress: errors of the pressure drop pass through zero.
     gains = advantage(kinds["hybrid"], kinds["tet"], "tube")
     for g in gains:
         print(f"shear {100 * g['error']:.1f} % off: tetrahedra take {g['cells']:.1f} times the cells, "
               f"{g['seconds']:.1f} times the solver's time")
-    with open(os.path.join(folder, "results.json"), "w", encoding="utf-8") as file:
-        json.dump(kinds | {"advantage": gains}, file, indent=1)
+    foam.write_results(folder, kinds | {"advantage": gains})
     plot(kinds, os.path.join(folder, "errors.png"))
 
 

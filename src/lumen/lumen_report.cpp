@@ -42,6 +42,10 @@ Json openings_json(const std::vector<LumenOpening>& openings) {
   return list;
 }
 
+void append_line(std::string& text, const std::string& label, const std::string& content) {
+  text += fmt::format("  {:<10} {}\n", label, content);
+}
+
 }  // namespace
 
 nlohmann::ordered_json lumen_json(const LumenResult& r) {
@@ -78,24 +82,27 @@ nlohmann::ordered_json lumen_json(const LumenResult& r) {
 
 std::string lumen_summary(const LumenResult& r, const std::string& units) {
   std::string text;
-  const auto line = [&](const std::string& label, const std::string& value) {
-    text += fmt::format("  {:<10} {}\n", label, value);
-  };
-  line("cells", fmt::format("{}: {} hexahedra, {} pyramids, {} tetrahedra", r.mesh.cells(),
-                            r.counts.hexes, r.counts.pyramids, r.counts.tets));
+  append_line(text, "cells",
+              fmt::format("{}: {} hexahedra, {} pyramids, {} tetrahedra", r.mesh.cells(),
+                          r.counts.hexes, r.counts.pyramids, r.counts.tets));
   for (std::size_t i = 0; i < r.quality.size(); ++i) {
     const CellQuality& q = r.quality[i];
-    line(r.mesh.regions[i].name,
-         fmt::format("non-orthogonality {:.1f} deg (mean {:.1f}), skewness {:.2f}, aspect ratio "
-                     "{:.1f}, volume {:.6g} {}^3",
-                     q.non_orthogonality.value, q.mean_non_orthogonality, q.skewness.value,
-                     q.aspect_ratio.value, q.volume, units));
+    append_line(text, r.mesh.regions[i].name,
+                fmt::format("non-orthogonality {:.1f} deg (mean {:.1f}), skewness {:.2f}, aspect "
+                            "ratio {:.1f}, volume {:.6g} {}^3",
+                            q.non_orthogonality.value, q.mean_non_orthogonality, q.skewness.value,
+                            q.aspect_ratio.value, q.volume, units));
   }
+  for (const std::string& warning : r.warnings) append_line(text, "warning", warning);
+  return text;
+}
+
+std::string openings_summary(const LumenResult& r, const std::string& units) {
+  std::string text;
   for (const LumenOpening& opening : r.openings) {
-    line(opening.inlet ? "inlet" : "outlet",
-         fmt::format("{}: area {:.5g} {}^2", opening.patch, opening.area, units));
+    append_line(text, opening.inlet ? "inlet" : "outlet",
+                fmt::format("{}: area {:.5g} {}^2", opening.patch, opening.area, units));
   }
-  for (const std::string& warning : r.warnings) line("warning", warning);
   return text;
 }
 

@@ -16,6 +16,10 @@ namespace {
 
 using Corners = std::array<Vec3, 4>;
 
+// No edge gets shorter than this share of the size wanted, unless it is already: corners may be
+// right on edges of no length, but cells on them are slivers.
+constexpr double least_edge = 0.05;
+
 // The rectangle nearest to a quad in turn and position, its sides pulled towards the target size.
 Corners fitted_rectangle(const Corners& p, const QuadSize& size, double size_weight) {
   const Vec3 center = 0.25 * (p[0] + p[1] + p[2] + p[3]);
@@ -131,18 +135,36 @@ class Relaxer {
     }
   }
 
-  // Takes back the moves of all corners of quads that would become worse than the worst one was.
+  // Whether an edge of a quad is much too short, and has become shorter.
+  bool is_pinched(int q, const Corners& after) const {
+    const double least = least_edge * std::min(size_[q].along_x, size_[q].along_y);
+    for (int k = 0; k < 4; ++k) {
+      const int j = (k + 1) % 4;
+      const double length = (after[k] - after[j]).squaredNorm();
+      if (length >= least * least) continue;
+      const Corners before = corners_of(mesh_, q);
+      if (length < (before[k] - before[j]).squaredNorm()) return true;
+    }
+    return false;
+  }
+
+  // Takes back the moves of all corners of quads that would become worse than the worst one was, or
+  // pinched.
   void undo_harmful_moves() {
     const double worst = *std::min_element(jacobian_.begin(), jacobian_.end());
+    std::vector<char> harmful(jacobian_.size());
     std::vector<int> suspects(jacobian_.size());
     std::iota(suspects.begin(), suspects.end(), 0);
     while (!suspects.empty()) {
       parallel_for(suspects.size(), [&](std::size_t i) {
-        jacobian_[suspects[i]] = scaled_jacobian(corners_of(moved_, mesh_.quads[suspects[i]]));
+        const int q = suspects[i];
+        const Corners after = corners_of(moved_, mesh_.quads[q]);
+        jacobian_[q] = scaled_jacobian(after);
+        harmful[q] = jacobian_[q] < worst || is_pinched(q, after) ? 1 : 0;
       });
       std::vector<int> undone;
       for (const int q : suspects) {
-        if (jacobian_[q] >= worst) continue;
+        if (harmful[q] == 0) continue;
         for (const int v : mesh_.quads[q]) {
           if (undo(v)) undone.push_back(v);
         }

@@ -2,6 +2,8 @@
 
 #include <cmath>
 #include <fstream>
+#include <sstream>
+#include <string>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -53,6 +55,23 @@ TEST(CaseCommand, FlowInABifurcationIsConserved) {
   const double developed = 4.0 * 3.45e-3 * flow.at("velocity").get<double>() / radius;
   EXPECT_GT(wall.at("wss").at("p50").get<double>(), 0.3 * developed);
   EXPECT_LT(wall.at("wss").at("p50").get<double>(), 1.5 * developed);
+}
+
+std::size_t lines_that_begin(const std::string& text, const std::string& label) {
+  std::istringstream lines(text);
+  std::size_t count = 0;
+  for (std::string line; std::getline(lines, line);)
+    if (line.rfind("  " + label + ' ', 0) == 0) ++count;
+  return count;
+}
+
+TEST(CaseCommand, SaysOnceWhatEachOpeningIs) {
+  const TemporaryFolder folder;
+  const auto made =
+      run_hexwall({"case", surface_in(folder), "-o", (folder / "run").string(), "--size", "0.8"});
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  EXPECT_EQ(lines_that_begin(made.out, "inlet"), 1) << made.out;
+  EXPECT_EQ(lines_that_begin(made.out, "outlet"), 2) << made.out;
 }
 
 TEST(CaseCommand, WrongOptionsLeaveNothingBehind) {
