@@ -1,11 +1,10 @@
 #include "dec/laplace.h"
 
 #include <algorithm>
+#include <cholmod.h>
 #include <numeric>
 #include <utility>
 #include <vector>
-
-#include <cholmod.h>
 
 #include "core/errors.h"
 #include "core/parallel.h"
@@ -60,8 +59,8 @@ Owner owned(typename Owner::pointer object, Workspace& workspace) {
 cholmod_dense as_dense(Eigen::MatrixXd& matrix) {
   const auto rows = static_cast<std::size_t>(matrix.rows());
   const auto columns = static_cast<std::size_t>(matrix.cols());
-  return {rows,    columns,        rows * columns, rows, matrix.data(),
-          nullptr, CHOLMOD_REAL, CHOLMOD_DOUBLE};
+  return {rows,          columns, rows * columns, rows,
+          matrix.data(), nullptr, CHOLMOD_REAL,   CHOLMOD_DOUBLE};
 }
 
 }  // namespace
@@ -149,8 +148,8 @@ void LaplaceSolver::Implementation::factorise(const Sparse& matrix) {
   common.nmethods = 1;
   common.method[0].ordering = CHOLMOD_GIVEN;
   common.postorder = 0;  // keeps the groups apart
-  factor = owned<Factor>(
-      cholmod_analyze_p(matrix.get(), permutation.data(), nullptr, 0, &common), workspace);
+  factor = owned<Factor>(cholmod_analyze_p(matrix.get(), permutation.data(), nullptr, 0, &common),
+                         workspace);
   cholmod_factorize(matrix.get(), factor.get(), &common);
   if (common.status != CHOLMOD_OK) {
     throw Error(ExitCode::internal, "the Laplacian of the surface is not positive definite");
@@ -170,8 +169,7 @@ void LaplaceSolver::Implementation::solve_block(Eigen::Ref<Eigen::MatrixXd> x,
   }
   Workspace own;
   cholmod_dense rhs = as_dense(permuted);
-  const auto forward =
-      owned<Dense>(cholmod_solve(CHOLMOD_L, factor.get(), &rhs, own.get()), own);
+  const auto forward = owned<Dense>(cholmod_solve(CHOLMOD_L, factor.get(), &rhs, own.get()), own);
   // Without its last rows the intermediate vector is that of the leading block.
   double* const values = static_cast<double*>(forward->x);
   for (Eigen::Index k = 0; k < x.cols(); ++k) {

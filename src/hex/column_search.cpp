@@ -47,7 +47,8 @@ ColumnSearch::ColumnSearch(QuadMesh& quads, std::vector<SurfacePoint>& places,
   }
 }
 
-bool ColumnSearch::improve(int v, double step, const std::function<double(int, double)>& cost_around,
+bool ColumnSearch::improve(int v, double step,
+                           const std::function<double(int, double)>& cost_around,
                            const std::function<bool(int)>& is_allowed) {
   throw_if_cancelled();
   const SurfacePoint place = places_[v];

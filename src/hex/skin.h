@@ -15,9 +15,9 @@ class Skin {
  public:
   Skin(const QuadMesh& quads, const std::vector<Vec3>& directions, Side side);
 
-  /// Quads whose faces meet other faces anywhere but in common vertices and edges, however faces are
-  /// split into two triangles: decided with exact predicates for either way, and for the second one
-  /// only where the first finds nothing. Sorted. \param thickness #V
+  /// Quads whose faces meet other faces anywhere but in common vertices and edges, however faces
+  /// are split into two triangles: decided with exact predicates for either way, and for the second
+  /// one only where the first finds nothing. Sorted. \param thickness #V
   std::vector<int> collisions(const std::vector<double>& thickness) const;
 
   /// The same among the faces of some quads only. \param among sorted.

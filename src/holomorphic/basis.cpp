@@ -3,7 +3,6 @@
 #include <utility>
 #include <vector>
 
-
 namespace hexwall {
 namespace {
 
@@ -47,8 +46,8 @@ void add_differential(const Connectivity& mesh, const Eigen::MatrixXd& f, Eigen:
   }
 }
 
-// C_ij, integral of df_i ^ star df_j, by Green's formula: what flows out of loop j, the sum of L f_i
-// over its vertices. Only edges at the boundary count.
+// C_ij, integral of df_i ^ star df_j, by Green's formula: what flows out of loop j, the sum of L
+// f_i over its vertices. Only edges at the boundary count.
 Eigen::MatrixXd capacity_of(const Connectivity& mesh, const Eigen::VectorXd& star1,
                             const HolomorphicBasis& basis) {
   std::vector<int> element(mesh.loops().size(), -1);

@@ -63,8 +63,7 @@ Eigen::MatrixXd coclosed(const Connectivity& mesh, const LaplaceSolver& laplace,
 /// A closed 1-form with the periods of sum_i lambda_i omega_i, for each column of `lambda`, n x k:
 /// flows from the loops to the exterior loop along a spanning tree of triangles, hence exactly
 /// closed. #E x k.
-Eigen::MatrixXd closed_forms(const Connectivity& mesh, int exterior,
-                             const Eigen::MatrixXd& lambda);
+Eigen::MatrixXd closed_forms(const Connectivity& mesh, int exterior, const Eigen::MatrixXd& lambda);
 
 /// Integral of a 1-form around a loop, traversed with the surface on its left.
 double period(const Connectivity& mesh, const OneForm& omega, int loop);

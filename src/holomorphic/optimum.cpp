@@ -143,7 +143,8 @@ class SignSearch {
       }
     }
     // All signs turned over are the same pattern.
-    if (signs_.front() < 0) std::transform(signs_.begin(), signs_.end(), signs_.begin(), std::negate());
+    if (signs_.front() < 0)
+      std::transform(signs_.begin(), signs_.end(), signs_.begin(), std::negate());
     return std::move(signs_);
   }
 

@@ -49,8 +49,8 @@ OptimumResult optimal_form(const AreaEnergy& energy, const std::vector<double>& 
 
 /// A form of low energy where there are too many patterns to try them all. From random patterns,
 /// flips of one sign and swaps of two opposite ones are taken as long as they lower the energy of
-/// the start of a descent, which costs next to nothing; descents follow from the patterns found, and
-/// descents from the best minima with one sign flipped.
+/// the start of a descent, which costs next to nothing; descents follow from the patterns found,
+/// and descents from the best minima with one sign flipped.
 OptimumResult search_optimal_form(const FacewiseEnergy& energy,
                                   const std::vector<double>& loop_lengths, int exterior,
                                   const SearchOptions& options = {});

@@ -137,8 +137,7 @@ void find_optimum(const FormProblem& problem, FormSolution& s) {
     options.finalists = 0;
     options.most_swaps = swaps_of_many_loops;
   }
-  s.optimum =
-      search_optimal_form(on_sample(sample_size(n)), lengths, s.basis.exterior, options);
+  s.optimum = search_optimal_form(on_sample(sample_size(n)), lengths, s.basis.exterior, options);
   const double most = std::min<double>(face_count, most_products / (n * n));
   Descent last =
       descend(on_sample(static_cast<int>(most)), s.optimum.lambda, most_descent_iterations);

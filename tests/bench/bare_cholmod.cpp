@@ -1,10 +1,10 @@
 #include "bench/bare_cholmod.h"
 
 #include <array>
+#include <cholmod.h>
 #include <vector>
 
 #include <Eigen/SparseCore>
-#include <cholmod.h>
 
 namespace hexwall::bench {
 namespace {
@@ -80,7 +80,8 @@ double BareCholmod::run(int n) {
     cholmod_factor* factor = cholmod_analyze(&matrix, common);
     cholmod_factorize(&matrix, factor, common);
     nonzeros += common->lnz;
-    cholmod_dense* rhs = cholmod_ones(matrix.nrow, static_cast<std::size_t>(n), CHOLMOD_REAL, common);
+    cholmod_dense* rhs =
+        cholmod_ones(matrix.nrow, static_cast<std::size_t>(n), CHOLMOD_REAL, common);
     cholmod_dense* solution = cholmod_solve(CHOLMOD_A, factor, rhs, common);
     cholmod_free_dense(&solution, common);
     cholmod_free_dense(&rhs, common);

@@ -5,10 +5,9 @@
 // On the generated aortic aneurysm by the edge length of its triangles in hundredths of a
 // millimetre (142: the 26,165 vertices of the literature), on trees by their number of loops.
 
-#include <sys/resource.h>
-
 #include <map>
 #include <memory>
+#include <sys/resource.h>
 
 #include <benchmark/benchmark.h>
 
@@ -61,7 +60,8 @@ const Vessel& aaa(const benchmark::State& state) {
 
 const Vessel& tree(const benchmark::State& state) {
   const int loops = static_cast<int>(state.range(0));
-  return vessel("tree" + std::to_string(loops), [loops] { return test::tree_with_sides(loops - 2); });
+  return vessel("tree" + std::to_string(loops),
+                [loops] { return test::tree_with_sides(loops - 2); });
 }
 
 using Surface = const Vessel& (*)(const benchmark::State&);
@@ -69,9 +69,8 @@ using Surface = const Vessel& (*)(const benchmark::State&);
 void count(benchmark::State& state, const Vessel& v) {
   state.counters["vertices"] = static_cast<double>(v.surface.points.size());
   state.counters["forms"] = v.n();
-  state.counters["vertices/s"] =
-      benchmark::Counter(static_cast<double>(v.surface.points.size()),
-                         benchmark::Counter::kIsIterationInvariantRate);
+  state.counters["vertices/s"] = benchmark::Counter(static_cast<double>(v.surface.points.size()),
+                                                    benchmark::Counter::kIsIterationInvariantRate);
 }
 
 // The limit: two factorisations and 2 n right-hand sides.

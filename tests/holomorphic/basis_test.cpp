@@ -189,7 +189,8 @@ TEST_P(Basis, PeriodMatrixIsTheIdentity) {
 }
 
 TEST_P(Basis, UnitFlowsAreExactlyClosedWithUnitPeriods) {
-  const Eigen::MatrixXd eta = closed_forms(h_.mesh, h_.basis.exterior, Eigen::MatrixXd::Identity(h_.n(), h_.n()));
+  const Eigen::MatrixXd eta =
+      closed_forms(h_.mesh, h_.basis.exterior, Eigen::MatrixXd::Identity(h_.n(), h_.n()));
   ASSERT_EQ(eta.cols(), h_.n());
   EXPECT_EQ((d1(h_.mesh) * eta).cwiseAbs().maxCoeff(), 0.0);
   for (int i = 0; i < h_.n(); ++i) {

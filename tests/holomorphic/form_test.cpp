@@ -64,8 +64,8 @@ TEST(Combine, FluxOfYIsThePeriodOfX) {
   }
 }
 
-// One right-hand side gives what the sum of all basis forms gives, and the two energies, of x by the
-// periods and of y by the potentials, enclose the area of the image.
+// One right-hand side gives what the sum of all basis forms gives, and the two energies, of x by
+// the periods and of y by the potentials, enclose the area of the image.
 TEST(Combine, IsTheSumOfThePeriodicForms) {
   const Harmonic h = harmonic(*test::vessel_surface("tree"), 2);
   const Eigen::VectorXd lambda = some_periods(h.n());

@@ -60,11 +60,8 @@ inline TriangleSurface branching_tree(double edge) {
 inline TriangleSurface tree_with_sides(int sides) {
   std::vector<Branch> branches;
   const double length = 1.1 * sides + 4.0;
-  branches.push_back({{{0, 0, 0}, {0, 0, 0.5 * length}, {0, 0, length}},
-                      {1.2, 1.2, 1.2},
-                      true,
-                      true,
-                      0.0});
+  branches.push_back(
+      {{{0, 0, 0}, {0, 0, 0.5 * length}, {0, 0, length}}, {1.2, 1.2, 1.2}, true, true, 0.0});
   for (int i = 0; i < sides; ++i) {
     const double angle = 2.4 * i;
     const double z = 2.0 + 1.1 * i;
