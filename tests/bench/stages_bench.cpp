@@ -5,6 +5,7 @@
 // On the generated aortic aneurysm by the edge length of its triangles in hundredths of a
 // millimetre (142: the 26,165 vertices of the literature), on trees by their number of loops.
 
+#include <cmath>
 #include <map>
 #include <memory>
 #include <sys/resource.h>
@@ -33,6 +34,10 @@ struct Vessel {
         refined_mesh(test::connectivity_of(refined.surface)),
         star(star1(refined.surface, refined_mesh)) {}
 
+  // A quad for each vertex: with many openings the default would be too few.
+  double quad_size() const {
+    return std::sqrt(total_area(surface) / static_cast<double>(surface.points.size()));
+  }
   int n() const { return static_cast<int>(mesh.loops().size()) - 1; }
   FormProblem problem() const { return {surface, mesh, edge}; }
 
@@ -121,10 +126,12 @@ void optimum(benchmark::State& state, Surface surface) {
 // The whole pipeline, without files: seconds of its stages as counters.
 void pipeline(benchmark::State& state, Surface surface) {
   const Vessel& v = surface(state);
+  PipelineOptions options;
+  options.size = v.quad_size();
   std::map<std::string, double> seconds;
   std::size_t quads = 0;
   for (auto _ : state) {
-    const PipelineResult result = run_pipeline(v.surface, {});
+    const PipelineResult result = run_pipeline(v.surface, options);
     quads = result.quads.quads.size();
     for (const StageTime& time : result.times) seconds[time.stage] += time.seconds;
   }
