@@ -56,7 +56,7 @@ struct BareCholmod::Implementation {
 };
 
 BareCholmod::BareCholmod(const Connectivity& mesh, const Eigen::VectorXd& star1)
-    : implementation_(new Implementation) {
+    : implementation_(std::make_unique<Implementation>()) {
   std::vector<char> fixed(mesh.vertex_count());
   for (int v = 0; v < mesh.vertex_count(); ++v) fixed[v] = mesh.is_boundary_vertex(v) ? 1 : 0;
   implementation_->matrices[0] = laplacian(mesh, star1, fixed);
@@ -69,7 +69,6 @@ BareCholmod::BareCholmod(const Connectivity& mesh, const Eigen::VectorXd& star1)
 
 BareCholmod::~BareCholmod() {
   cholmod_finish(&implementation_->common);
-  delete implementation_;
 }
 
 double BareCholmod::run(int n) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <memory>
+
 #include <Eigen/Core>
 
 #include "surface/connectivity.h"
@@ -21,7 +23,7 @@ class BareCholmod {
 
  private:
   struct Implementation;
-  Implementation* implementation_;
+  std::unique_ptr<Implementation> implementation_;
 };
 
 }  // namespace hexwall::bench
