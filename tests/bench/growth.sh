@@ -3,7 +3,7 @@
 #
 #   tests/bench/growth.sh [FOLDER]     # the surfaces are made there once, in about 10 minutes
 #
-# The generated aortic aneurysm with 10^4 to 4 10^6 triangles, and with 10^3 to 5 10^6 quads.
+# The generated aortic aneurysm with 10^4 to 4 10^6 triangles, and with 4 10^3 to 5 10^6 quads.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 
@@ -34,6 +34,6 @@ for edge in 2 1 0.312 0.156; do
 done
 surface=$folder/aaa.vtp
 [[ -f $surface ]] || build/hexwall generate aaa -o "$surface" > /dev/null
-for size in 6 1.9 0.6 0.19 0.085; do
+for size in 3 1.9 0.6 0.19 0.085; do
   run "$surface" --size "$size"
 done
