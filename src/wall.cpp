@@ -165,6 +165,7 @@ struct WallFit {
   std::optional<ThicknessResult> outward, inward;
   int columns_without_face_tets = 0;
   int evened_vertices = 0;
+  double min_scaled_jacobian = 0.0;
 
   double reduced_area_fraction() const {
     return (outward ? outward->reduced_area_fraction : 0.0) +
@@ -203,48 +204,80 @@ void fit_sides(const PipelineResult& r, WallFit& fit) {
     fit.shape.inward = fit.inward->given;
   }
   fit.columns_without_face_tets = columns_without_face_tets(fit);
+  fit.min_scaled_jacobian = least_jacobian(fit);
 }
 
-// Evens out poor columns and fits the thickness; again while faces of a few columns cannot be
-// split.
-WallFit even_out_and_fit(const PipelineResult& r, WallFit fit, const SurfaceProjector& projector) {
-  fit.shape = shape_of(r, fit.places);
-  for (int round = 0;; ++round) {
-    const double face_tets = round / double{most_fits};
-    fit.evened_vertices +=
-        even_out(fit.quads, fit.places, fit.directions, projector, fit.shape, face_tets);
+// The same, or nothing where no thickness fits.
+std::optional<WallFit> fitted(const PipelineResult& r, WallFit fit) {
+  try {
     fit_sides(r, fit);
-    if (round == most_fits || fit.columns_without_face_tets == 0 ||
-        fit.columns_without_face_tets >
-            most_lacking * static_cast<double>(fit.quads.quads.size())) {
-      return fit;
-    }
+    return fit;
+  } catch (const MeshingError&) {
+    return std::nullopt;
   }
+}
+
+// Evens out poor columns and fits the thickness, or returns nothing: where the quads are far too
+// large for the surface, evening out may fold them. `face_tets` as for `even_out`.
+std::optional<WallFit> evened_out(const PipelineResult& r, WallFit fit,
+                                  const SurfaceProjector& projector, double face_tets) {
+  fit.evened_vertices +=
+      even_out(fit.quads, fit.places, fit.directions, projector, fit.shape, face_tets);
+  return fitted(r, std::move(fit));
+}
+
+// Hexes good enough come first, then faces that OpenFOAM can split.
+bool is_better(const WallFit& a, const WallFit& b) {
+  const auto merit = [](const WallFit& fit) {
+    return std::pair(std::min(wanted_scaled_jacobian, fit.min_scaled_jacobian),
+                     -fit.columns_without_face_tets);
+  };
+  return merit(a) > merit(b);
+}
+
+// Evened out once, unless that makes it worse.
+WallFit first_fit(const PipelineResult& r, WallFit start, const SurfaceProjector& projector) {
+  const std::optional<WallFit> fit = evened_out(r, start, projector, 0.0);
+  if (fit && fit->min_scaled_jacobian >= wanted_scaled_jacobian) return *fit;
+  if (!fit) {
+    fit_sides(r, start);
+    return start;
+  }
+  const std::optional<WallFit> as_it_was = fitted(r, std::move(start));
+  return as_it_was && is_better(*as_it_was, *fit) ? *as_it_was : *fit;
+}
+
+// Evened out again while faces of a few columns cannot be split.
+WallFit mend_face_tets(const PipelineResult& r, WallFit fit, const SurfaceProjector& projector) {
+  const double most = most_lacking * static_cast<double>(fit.quads.quads.size());
+  WallFit best = fit;
+  for (int round = 1; round <= most_fits; ++round) {
+    if (fit.columns_without_face_tets == 0 || fit.columns_without_face_tets > most) break;
+    std::optional<WallFit> next =
+        evened_out(r, std::move(fit), projector, round / double{most_fits});
+    if (!next) break;
+    fit = std::move(*next);
+    if (!is_better(best, fit)) best = fit;
+  }
+  return best;
 }
 
 // Raises the worst columns further, if that costs neither thickness nor faces that can be split.
 WallFit raise_worst(const PipelineResult& r, WallFit fit, const SurfaceProjector& projector) {
-  WallFit raised = fit;
-  raised.evened_vertices +=
-      even_out_worst(raised.quads, raised.places, raised.directions, projector, raised.shape);
-  if (raised.evened_vertices == fit.evened_vertices) return fit;
-  fit_sides(r, raised);
-  const bool is_better = raised.columns_without_face_tets <= fit.columns_without_face_tets &&
-                         raised.reduced_area_fraction() <= fit.reduced_area_fraction() &&
-                         least_jacobian(raised) > least_jacobian(fit);
-  return is_better ? raised : fit;
+  WallFit trial = fit;
+  trial.evened_vertices +=
+      even_out_worst(trial.quads, trial.places, trial.directions, projector, trial.shape);
+  if (trial.evened_vertices == fit.evened_vertices) return fit;
+  const std::optional<WallFit> raised = fitted(r, std::move(trial));
+  const bool pays = raised && raised->columns_without_face_tets <= fit.columns_without_face_tets &&
+                    raised->reduced_area_fraction() <= fit.reduced_area_fraction() &&
+                    raised->min_scaled_jacobian > fit.min_scaled_jacobian;
+  return pays ? *raised : fit;
 }
 
-// Where the quads are far too large for the surface, evening out may fold them.
 WallFit find_thickness(const PipelineResult& r, const WallFit& start,
                        const SurfaceProjector& projector) {
-  try {
-    return raise_worst(r, even_out_and_fit(r, start, projector), projector);
-  } catch (const MeshingError&) {
-    WallFit fit = start;
-    fit_sides(r, fit);
-    return fit;
-  }
+  return raise_worst(r, mend_face_tets(r, first_fit(r, start, projector), projector), projector);
 }
 
 // Quads, places and thickness of the wall become those of the fit.
@@ -300,7 +333,12 @@ void make_wall(PipelineResult& r, std::vector<SurfacePoint>& places,
   const WallShape shape = shape_of(r, places);
   std::vector<Vec3> directions = find_directions(r, places, shape);
   r.polishing = polish(r.quads, places, directions, projector, shape);
-  WallFit fit = find_thickness(r, {r.quads, places, directions, shape, {}, {}}, projector);
+  WallFit start;
+  start.quads = r.quads;
+  start.places = places;
+  start.directions = directions;
+  start.shape = shape_of(r, places);
+  WallFit fit = find_thickness(r, start, projector);
   take_over(fit, r, places);
   check_strictness(r);
   r.target_edge = target_edges(r, places);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <Eigen/Geometry>
 
@@ -20,10 +21,26 @@ constexpr double least_steepness = 0.4;
 // Patches grow by a ring of vertices a round: no bad column needs its surroundings from further.
 constexpr int most_rounds = 100;
 
-Vec3 flattened(const Vec3& direction, const LoopPlane& plane) {
+// Where a loop cuts the surface more obliquely than this (in radians), a flat ring would shear the
+// columns so much that thin layers get skewed faces.
+constexpr double greatest_tilt = 45.0 * std::numbers::pi / 180.0;
+
+// The direction turned about the loop, so that its component along the plane's normal is `height`.
+Vec3 turned_to(const Vec3& direction, const LoopPlane& plane, double height) {
   const Vec3 flat = direction - direction.dot(plane.normal) * plane.normal;
-  // A flat surface (an annulus in the plane of its loops) has no direction within that plane.
-  return flat.norm() > 0.1 ? flat.normalized() : direction;
+  if (flat.norm() < 1e-6) return direction;
+  return std::sqrt(1.0 - height * height) * flat.normalized() + height * plane.normal;
+}
+
+// Tilts a normal of the surface into the plane if it is not too far from it, and the less the
+// farther beyond: a flat surface (an annulus in the plane of its loops) keeps its normals.
+Vec3 flattened(const Vec3& normal, const LoopPlane& plane) {
+  const double height = normal.dot(plane.normal);
+  const double angle = std::asin(std::clamp(std::abs(height), 0.0, 1.0));
+  if (angle <= greatest_tilt) return turned_to(normal, plane, 0.0);
+  constexpr double right_angle = 0.5 * std::numbers::pi;
+  const double tilt = greatest_tilt * (right_angle - angle) / (right_angle - greatest_tilt);
+  return turned_to(normal, plane, std::copysign(std::sin(angle - tilt), height));
 }
 
 class Smoother {
@@ -100,7 +117,9 @@ class Smoother {
       if (marked[v] == 0) continue;
       const int loop = quads_.loop_of_vertex[v];
       Vec3 direction = sum[v].normalized();
-      if (loop >= 0 && planes_[loop].is_planar()) direction = flattened(direction, planes_[loop]);
+      if (loop >= 0 && planes_[loop].is_planar()) {
+        direction = turned_to(direction, planes_[loop], directions_[v].dot(planes_[loop].normal));
+      }
       const double before = steepness(v, directions_[v]);
       if (steepness(v, direction) >= std::min(least_steepness, before)) directions_[v] = direction;
     }

@@ -21,6 +21,9 @@ constexpr double wanted_face_split = 0.15;
 constexpr double skew_weight = 0.02;
 // A move may not take what a thinner wall would need, should the goals be out of reach.
 constexpr double enough_thin_quality = 0.4;
+// Nor may edges fall below this share of the shortest one around their end at first: where the wall
+// is too thick for the place, quads would close up for what they cannot reach.
+constexpr double least_shortening = 0.3;
 constexpr double smallest_step = 0.02;
 constexpr int most_sweeps = 60;
 
@@ -35,7 +38,11 @@ class Mender {
       : search_(search),
         is_hopeless_(std::move(is_hopeless)),
         shortfall_(search.quads().quads.size()),
-        step_(search.quads().points.size(), 1.0) {}
+        step_(search.quads().points.size(), 1.0) {
+    for (int v = 0; v < static_cast<int>(step_.size()); ++v) {
+      least_edge_.push_back(least_shortening * search.shortest_edge(v));
+    }
+  }
 
   /// \param moved #V set to 1 where a vertex is moved or turned.
   void run(std::vector<char>& moved, PolishResult& result) {
@@ -112,7 +119,10 @@ class Mender {
     const double thin_quality = thin_quality_around(v);
     const bool improved = search_.improve(
         v, step_[v], [this](int w, double limit) { return cost_around(w, limit); },
-        [&](int w) { return thin_quality_around(w) >= thin_quality; });
+        [&](int w) {
+          return search_.shortest_edge(w) >= least_edge_[w] &&
+                 thin_quality_around(w) >= thin_quality;
+        });
     if (!improved) return false;
     for (const int q : search_.columns_around(v)) shortfall_[q] = shortfall(q);
     return true;
@@ -122,6 +132,7 @@ class Mender {
   std::vector<char> is_hopeless_;  // #Q faces between layers are not asked to be split
   std::vector<double> shortfall_;
   std::vector<double> step_;
+  std::vector<double> least_edge_;  // #V
 };
 
 }  // namespace

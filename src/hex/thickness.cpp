@@ -16,8 +16,6 @@
 namespace hexwall {
 namespace {
 
-// Hexes better than this need no thinner wall.
-constexpr double wanted_scaled_jacobian = 0.2;
 // OpenFOAM reports faces of skewness above 4.
 constexpr double greatest_skewness = 3.6;
 // Where this share of the thickness is still too skewed, the quads are, and no thickness mends it.

@@ -6,6 +6,9 @@
 
 namespace hexwall {
 
+/// Hexes better than this need no thinner wall.
+constexpr double wanted_scaled_jacobian = 0.2;
+
 /// One side of the surface.
 enum class Side { outward, inward };
 

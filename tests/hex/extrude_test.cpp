@@ -100,6 +100,26 @@ TEST(FlattenAtLoops, KeepsDirectionsAcrossThePlaneOfTheLoop) {
   for (const Vec3& direction : t.directions) EXPECT_EQ(direction, Vec3(Vec3::UnitZ()));
 }
 
+/// Angle above the plane of the loop, in degrees, to which a direction at another is turned.
+double turned_from(double angle) {
+  Tube t = tube(12, 4, 1.0, 2.0);
+  for (Vec3& d : t.directions) {
+    d = std::cos(angle * pi / 180.0) * d - std::sin(angle * pi / 180.0) * Vec3::UnitZ();
+  }
+  const LoopPlane flat = fit_plane(circle(Vec3::Zero(), Vec3::UnitZ(), 1.0, 12));
+  flatten_at_loops(t.quads, {flat, flat}, t.directions);
+  EXPECT_GT(t.directions[0].x(), 0.0);
+  return std::asin(-t.directions[0].z()) * 180.0 / pi;
+}
+
+TEST(FlattenAtLoops, TurnsDirectionsLessWhereTheSurfaceNearlyLiesInThePlane) {
+  EXPECT_NEAR(turned_from(44.9), 0.0, 1e-9);
+  EXPECT_NEAR(turned_from(45.1), 0.2, 1e-9);
+  for (const double angle : {50.0, 60.0, 70.0, 80.0, 89.0}) {
+    EXPECT_NEAR(turned_from(angle), 2.0 * (angle - 45.0), 1e-6) << angle;
+  }
+}
+
 WallShape outward_shape(const Tube& t, double thickness, int layers = 3) {
   return {plan_layers(graded_layers(layers, 1.0, "layer_"), {}),
           std::vector<double>(t.quads.points.size(), thickness),

@@ -27,14 +27,15 @@ std::string output_of(const std::string& command) {
 
 }  // namespace
 
-CheckMeshResult check_mesh(const std::filesystem::path& case_dir) {
+CheckMeshResult check_mesh(const std::filesystem::path& case_dir, const std::string& options) {
   CheckMeshResult result;
   result.available = !output_of("command -v checkMesh").empty();
   if (!result.available) return result;
   // Debian's package looks for its dictionaries there unless the environment says otherwise.
   result.log = output_of("cd " + quoted(case_dir.string()) +
                          " && WM_PROJECT_DIR=${WM_PROJECT_DIR:-/usr/share/openfoam}"
-                         " checkMesh -allGeometry -allTopology 2>&1");
+                         " checkMesh " +
+                         options + " 2>&1");
   result.ok = result.log.find("Mesh OK.") != std::string::npos;
   return result;
 }

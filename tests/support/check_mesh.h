@@ -12,7 +12,9 @@ struct CheckMeshResult {
   std::string log;
 };
 
-/// Runs `checkMesh -allGeometry -allTopology` in `case_dir`.
-CheckMeshResult check_mesh(const std::filesystem::path& case_dir);
+/// Runs `checkMesh` in `case_dir`. \param options of it; without any it leaves out determinants and
+/// face tets.
+CheckMeshResult check_mesh(const std::filesystem::path& case_dir,
+                           const std::string& options = "-allGeometry -allTopology");
 
 }  // namespace hexwall
