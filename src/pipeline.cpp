@@ -40,6 +40,8 @@ void check_options(const PipelineOptions& options) {
   require(!options.size || positive(*options.size), "--size must be a positive length");
   require(options.poles.count >= 0, "--poles must not be negative");
   check_layer_options(options);
+  require(options.stretch >= 0.1 && options.stretch <= 10.0,
+          "--stretch must lie between 0.1 and 10");
   require(options.relax >= 0.0 && options.relax <= 1.0, "--relax must lie between 0 and 1");
 }
 
@@ -184,6 +186,7 @@ void find_numbers(PipelineResult& r) {
   }
   QuantiseOptions options;
   options.size = size_in_plane;
+  options.stretch = r.options.stretch;
   for (std::size_t i = 0; i < r.poles.size(); ++i) {
     options.poles.push_back(s.first_pole() + static_cast<int>(i));
   }
@@ -216,24 +219,26 @@ std::vector<QuadSize> target_sizes(const PipelineResult& r) {
   for (std::size_t q = 0; q < r.quads.quads.size(); ++q) {
     double wanted = 0.0;
     for (const int v : r.quads.quads[q]) wanted += 0.25 * r.target_edge[v];
-    const auto target = [&](double conformal) {
+    const auto target = [&](double conformal, double stretch) {
+      const double length = stretch * wanted;
       const double ratio =
-          std::clamp(conformal / wanted, 1.0 / greatest_size_ratio, greatest_size_ratio);
-      return wanted * std::pow(ratio, 1.0 - r.options.relax);
+          std::clamp(conformal / length, 1.0 / greatest_size_ratio, greatest_size_ratio);
+      return length * std::pow(ratio, 1.0 - r.options.relax);
     };
     if (q >= r.conformal.mesh.quads.size()) {
       const auto after =
           std::find_if(r.pole_caps.rbegin(), r.pole_caps.rend(),
                        [&](const PoleCap& c) { return c.first_quad <= static_cast<int>(q); });
-      targets.push_back({target(after->mean_edge), target(after->mean_edge)});
+      const double edge = target(after->mean_edge, 1.0);
+      targets.push_back({edge, edge});
       continue;
     }
     double scale = 0.0;
     for (const int v : r.conformal.mesh.quads[q]) {
       scale += 0.25 * r.solution.scale_factor[r.conformal.face[v]];
     }
-    targets.push_back(
-        {target(r.conformal.column_width[q] / scale), target(r.conformal.row_height[q] / scale)});
+    targets.push_back({target(r.conformal.column_width[q] / scale, 1.0),
+                       target(r.conformal.row_height[q] / scale, r.options.stretch)});
   }
   return targets;
 }

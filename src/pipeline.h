@@ -51,6 +51,7 @@ struct PipelineOptions {
   std::optional<double> size;   ///< target edge length; default: 20000 quads
   bool size_by_radius = false;  ///< target edges proportional to the vessel's local radius, `size`
                                 ///< on the mean over the surface
+  double stretch = 1.0;         ///< length of quads along the vessel over their width around it
   std::vector<double> size_field;  ///< #V factors on the target edge length; empty: 1 everywhere
   std::optional<LayerOptions> outward = LayerOptions{};  ///< wall; 10 % of the mean radius thick
   std::optional<LayerOptions> inward;  ///< into the lumen; 15 % of the local radius thick

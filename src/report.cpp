@@ -70,6 +70,7 @@ Json layer_options_json(const LayerOptions& o) {
 
 Json options_json(const PipelineOptions& options, const std::string& units) {
   Json json = {{"size", *options.size},
+               {"stretch", options.stretch},
                {"relax", options.relax},
                {"size_by_radius", options.size_by_radius},
                {"size_field", !options.size_field.empty()},

@@ -46,7 +46,7 @@ const std::vector<ReportKey>& report_keys() {
       {"quads.angle_stddev_deg", "root mean square of corner angle − 90°"},
       {"quads.min_scaled_jacobian", "least over all quads"},
       {"quads.edge_length_quantiles", "edge length / `size` at 1, 5, 50, 95, 99 %"},
-      {"quads.off_size_area_fraction", "share of the area in quads more than 2× off in length"},
+      {"quads.off_size_area_fraction", "share of the area in quads more than 2× off in size"},
       {"quads.area_fraction",
        "area of the quads / area of the surface; well below 1 where a blind tip is cut off"},
       {"quads.relax_iterations", "of the relaxation"},

@@ -342,7 +342,7 @@ void make_wall(PipelineResult& r, std::vector<SurfacePoint>& places,
   take_over(fit, r, places);
   check_strictness(r);
   r.target_edge = target_edges(r, places);
-  r.quad_quality = quad_quality(r.quads, r.target_edge);
+  r.quad_quality = quad_quality(r.quads, r.target_edge, r.options.stretch);
   std::vector<std::string> names;
   for (const Opening& opening : r.openings) names.push_back(opening.name);
   r.wall = extrude(r.quads, fit.directions, names, fit.shape);

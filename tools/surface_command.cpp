@@ -44,6 +44,7 @@ PipelineOptions pipeline_options(const SurfaceCommandOptions& c, const ReadResul
   PipelineOptions options;
   options.size = c.size;
   options.relax = c.relax;
+  options.stretch = c.stretch;
   options.poles = pole_request(c.poles);
   options.size_by_radius = c.size_by == "radius";
   if (!c.size_field.empty()) options.size_field = point_values(read, c.size_field, prepared);
@@ -58,6 +59,10 @@ void add_surface_options(CLI::App& command, SurfaceCommandOptions& c) {
   command.add_option("-o,--output", c.output, "Folder for the results")->required();
   command.add_option("--size", c.size,
                      "Target quad edge length, in input units [sqrt(area / 20000)]");
+  command
+      .add_option("--stretch", c.stretch,
+                  "Length of the quads along the vessel over their width around it")
+      ->capture_default_str();
   command.add_option("--relax", c.relax, "Quad sizes: 0 conformal … 1 even")->capture_default_str();
   command
       .add_option("--poles", c.poles,

@@ -24,6 +24,7 @@ struct SurfaceCommandOptions {
   std::string output;
   LayerCommandOptions layers;
   std::optional<double> size;
+  double stretch = PipelineOptions{}.stretch;
   double relax = PipelineOptions{}.relax;
   std::string size_field;
   std::string poles = "auto";

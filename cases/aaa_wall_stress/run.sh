@@ -28,14 +28,14 @@ mesh() {
   shift 2
   timed "$folder/hexwall" build/hexwall mesh "$surface" -o "$folder" --layers 3 --threads 1 \
     --write abaqus "$@"
-  python3 $here/tets.py boundary "$folder/wall.inp" "$folder/tets.smesh"
+  /usr/bin/python3 $here/tets.py boundary "$folder/wall.inp" "$folder/tets.smesh"
   timed "$folder/tetgen" tetgen -pYq1.5 "$folder/tets.smesh"
-  python3 $here/tets.py mesh "$folder/wall.inp" "$folder/tets.1" "$folder/tets.inp"
+  /usr/bin/python3 $here/tets.py mesh "$folder/wall.inp" "$folder/tets.1" "$folder/tets.inp"
 }
 
 solve() {
   local kind
-  python3 $here/decks.py "$1"
+  /usr/bin/python3 $here/decks.py "$1"
   for kind in C3D8 C3D8I C3D4 C3D10 C3D20R; do
     echo "$1: CalculiX with $kind"
     timed "$1/$kind" env -C "$1" ccx -i "${kind}_deck"
@@ -57,6 +57,6 @@ mesh "$out/aaa" "$out/aaa.vtp" --thickness 1.5 --size 2.8 --size-by radius
 mesh "$out/aneurysm" "$out/aneurysm.stl" --thickness 1 --size 0.9
 solve "$out/aaa"
 solve "$out/aneurysm"
-python3 $here/compare.py "$out/aaa" "$out/aneurysm"
+/usr/bin/python3 $here/compare.py "$out/aaa" "$out/aneurysm"
 picture "$out/aaa" --range 0,0.3 --view=0,-1,0 --size 1300x1200
 picture "$out/aneurysm" --range 0,0.4 --view=0.2,-1,0.2 --size 1300x750

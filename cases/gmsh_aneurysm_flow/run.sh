@@ -30,6 +30,6 @@ done
 for size in 2 1.5 1.2 1 0.85; do
   run tet $size
 done
-python3 cases/gmsh_aneurysm_flow/compare.py "$out"
+/usr/bin/python3 cases/gmsh_aneurysm_flow/compare.py "$out"
 xvfb-run -a build/hexwall-picture "$out/hybrid_0.85/wall.vtp" -o "$out/shear.png" --array wss \
   --range 0,2 --view=0.2,-1,0.2 --size 1000x700

@@ -96,4 +96,4 @@ done << 'END'
 0.2 4
 0.1 8
 END
-python3 cases/lame_cylinder/compare.py "$iterations" "${runs[@]}"
+/usr/bin/python3 cases/lame_cylinder/compare.py "$iterations" "${runs[@]}"

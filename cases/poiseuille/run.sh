@@ -26,4 +26,4 @@ done
 for size in 0.45 0.3 0.2 0.14; do
   run tet $size
 done
-python3 cases/poiseuille/compare.py "$out"
+/usr/bin/python3 cases/poiseuille/compare.py "$out"

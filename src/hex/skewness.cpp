@@ -56,13 +56,16 @@ class Cells {
     return worst;
   }
 
-  // The same of the faces between two columns.
-  double between_columns(const std::array<int, 2>& edge, const std::array<int, 2>& quads) const {
+  // The same of the faces above an edge, between two columns or, with a second quad of -1, in the
+  // end ring.
+  double above_edge(const std::array<int, 2>& edge, const std::array<int, 2>& quads) const {
     double worst = 0.0;
     for (int layer = 0; layer < layers_; ++layer) {
       const Face face{at(edge[0], layer), at(edge[1], layer), at(edge[1], layer + 1),
                       at(edge[0], layer + 1)};
-      worst = std::max(worst, of_face(face, center(quads[0], layer), center(quads[1], layer)));
+      const Vec3& owner = center(quads[0], layer);
+      worst = std::max(worst, quads[1] < 0 ? skewness_at_boundary(face, face_geometry(face), owner)
+                                           : of_face(face, owner, center(quads[1], layer)));
     }
     return worst;
   }
@@ -103,9 +106,13 @@ Skewness::Skewness(const QuadMesh& quads) : quads_(quads) {
   std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
     return std::tie(a.edge, a.quad) < std::tie(b.edge, b.quad);
   });
-  for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
-    if (sides[i].edge != sides[i + 1].edge) continue;
-    edges_.push_back({sides[i].edge, {sides[i].quad, sides[i + 1].quad}});
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    if (i + 1 < sides.size() && sides[i].edge == sides[i + 1].edge) {
+      edges_.push_back({sides[i].edge, {sides[i].quad, sides[i + 1].quad}});
+      ++i;
+    } else {
+      edges_.push_back({sides[i].edge, {sides[i].quad, -1}});
+    }
   }
 }
 
@@ -119,11 +126,13 @@ std::vector<int> Skewness::quads_above(double limit, const std::vector<Vec3>& di
   });
   std::vector<char> edge_is_skewed(edges_.size());
   parallel_for(edges_.size(), [&](std::size_t e) {
-    edge_is_skewed[e] = cells.between_columns(edges_[e].vertices, edges_[e].quads) > limit ? 1 : 0;
+    edge_is_skewed[e] = cells.above_edge(edges_[e].vertices, edges_[e].quads) > limit ? 1 : 0;
   });
   for (std::size_t e = 0; e < edges_.size(); ++e) {
     if (edge_is_skewed[e] == 0) continue;
-    for (const int q : edges_[e].quads) column_is_skewed[q] = 1;
+    for (const int q : edges_[e].quads) {
+      if (q >= 0) column_is_skewed[q] = 1;
+    }
   }
   std::vector<int> result;
   for (std::size_t q = 0; q < column_is_skewed.size(); ++q) {

@@ -23,11 +23,11 @@ class Skewness {
  private:
   struct Edge {
     std::array<int, 2> vertices;
-    std::array<int, 2> quads;  ///< on both sides
+    std::array<int, 2> quads;  ///< on both sides, the second -1 on a boundary loop
   };
 
   const QuadMesh& quads_;
-  std::vector<Edge> edges_;  // inside the mesh
+  std::vector<Edge> edges_;
 };
 
 }  // namespace hexwall

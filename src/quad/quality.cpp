@@ -83,7 +83,7 @@ std::vector<std::array<int, 2>> edges_of(const QuadMesh& mesh) {
   return edges;
 }
 
-QuadQuality quad_quality(const QuadMesh& mesh, const std::vector<double>& target) {
+QuadQuality quad_quality(const QuadMesh& mesh, const std::vector<double>& target, double stretch) {
   QuadQuality result;
   result.irregular = count_irregular(mesh);
   double squares = 0.0;
@@ -99,7 +99,7 @@ QuadQuality quad_quality(const QuadMesh& mesh, const std::vector<double>& target
     const double quad_area = 0.5 * doubled_area_vector(corners).norm();
     double wanted = 0.0;
     for (const int v : mesh.quads[q]) wanted += 0.25 * target[v];
-    const double side = std::sqrt(quad_area) / wanted;
+    const double side = std::sqrt(quad_area / stretch) / wanted;
     result.area += quad_area;
     if (quad_area > largest) {
       largest = quad_area;

@@ -26,11 +26,13 @@ struct QuadQuality {
   std::array<double, 5> edge_length_quantiles{};  ///< 1, 5, 50, 95, 99 %, relative to the target
   double area = 0.0;                              ///< of all quads
   int largest_quad = -1;                          ///< the quad of greatest area
-  double off_size_area_fraction = 0.0;  ///< share of the area in quads more than 2x off in length
+  double off_size_area_fraction = 0.0;  ///< share of the area in quads more than 2x off in size
 };
 
-/// \param target #V edge length wanted at each vertex, in the mesh's length unit.
-QuadQuality quad_quality(const QuadMesh& mesh, const std::vector<double>& target);
+/// \param target #V edge length wanted at each vertex, in the mesh's length unit: of the shorter
+/// edges if quads longer than wide are wanted. \param stretch wanted length over width.
+QuadQuality quad_quality(const QuadMesh& mesh, const std::vector<double>& target,
+                         double stretch = 1.0);
 
 /// Distinct edges as vertex pairs, the lower number first, in lexicographic order.
 std::vector<std::array<int, 2>> edges_of(const QuadMesh& mesh);

@@ -239,7 +239,8 @@ Quantisation quantise(const Foliation& foliation, const std::vector<RowSpacing>&
   Quantisation result;
   result.across = StripRounding(foliation, spacing, options).run();
   for (const RowSpacing& rows : spacing) {
-    result.along.push_back(std::max(1, static_cast<int>(std::lround(rows.wanted()))));
+    const long count = std::lround(rows.wanted() / options.stretch);
+    result.along.push_back(std::max(1, static_cast<int>(count)));
   }
   return result;
 }

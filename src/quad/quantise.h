@@ -9,6 +9,7 @@ namespace hexwall {
 
 struct QuantiseOptions {
   double size = 1.0;       ///< target edge length in the (x, y) plane
+  double stretch = 1.0;    ///< height of a row over the width of a column
   int fewest_around = 8;   ///< quads around any cylinder
   std::vector<int> poles;  ///< loops that take a multiple of 4 quads around
 };

@@ -14,7 +14,7 @@ mkdir -p "$folder"
 run() {
   rm -rf "$folder/out"
   build/hexwall mesh "$@" -o "$folder/out" --no-report --quiet
-  python3 - "$folder/out/report.json" << 'END'
+  /usr/bin/python3 - "$folder/out/report.json" << 'END'
 import json, sys
 r = json.load(open(sys.argv[1]))
 seconds, peak = r["seconds"]["total"], r["peak_memory_bytes"]

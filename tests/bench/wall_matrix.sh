@@ -17,7 +17,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
 report() {
-  python3 - "$1" << 'END'
+  /usr/bin/python3 - "$1" << 'END'
 import json, sys
 wall = json.load(open(sys.argv[1]))["wall"]
 reduced = [f"{100 * wall[side]['reduced_area_fraction']:.2f}" if side in wall else "-"

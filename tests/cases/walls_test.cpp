@@ -59,6 +59,7 @@ TEST_P(HardWall, IsGoodEnough) {
 INSTANTIATE_TEST_SUITE_P(
     , HardWall,
     testing::Values(Wall{"obliquely_cut_opening", "vampy_left_atrium.vtp", "0.1", "8", "out"},
+                    Wall{"skewed_end_ring", "vampy_left_atrium.vtp", "0.2", "8", "in"},
                     Wall{"evening_out_folds", "vmtk4an_ideal_aneurysm.stl", "0.2", "1", "out"},
                     Wall{"face_tets_cost_jacobian", "vascularmd_cerebral_stenosis_quads.vtk", "0.2",
                          "8", "both"},

@@ -41,6 +41,7 @@ Request request_of(ByteSource& bytes) {
   if ((choices & 128U) != 0) {
     request.pipeline.poles.mode = PoleRequest::Mode::count;
     request.pipeline.poles.count = bytes.byte() % 4;
+    request.pipeline.stretch = 1.0 + bytes.byte() % 3;
   }
   return request;
 }

@@ -1,6 +1,7 @@
 // Target sizes: quads are as large as asked for, everywhere alike or where a field says otherwise.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -8,6 +9,7 @@
 #include "pipeline.h"
 #include "support/expect_error.h"
 #include "support/surfaces.h"
+#include "support/verify_wall.h"
 #include "surface/generate.h"
 #include "warnings.h"
 
@@ -86,6 +88,57 @@ TEST(SizeByRadius, GivesBranchesAndTrunksAsManyQuadsAround) {
   EXPECT_GT(ratio(even), 1.5 * ratio(by_radius));
   EXPECT_LT(by_radius.solution.optimum.energy, even.solution.optimum.energy);
   EXPECT_LT(by_radius.quad_quality.off_size_area_fraction, 0.05);
+}
+
+/// Lengths of the edges along and around a cylinder of radius 2 along z.
+std::array<double, 2> lengths_along_and_around(const PipelineResult& r) {
+  std::array<double, 2> sum{};
+  std::array<int, 2> count{};
+  for (const auto& [a, b] : edges_of(r.quads)) {
+    const Vec3 edge = r.quads.points[a] - r.quads.points[b];
+    const int i = std::abs(edge.z()) > 0.5 * edge.norm() ? 0 : 1;
+    sum[i] += edge.norm();
+    ++count[i];
+  }
+  return {sum[0] / count[0], sum[1] / count[1]};
+}
+
+class Stretch : public testing::TestWithParam<double> {};
+
+TEST_P(Stretch, IsTheLengthOfQuadsAlongOverTheirWidthAround) {
+  PipelineOptions options = options_of(0.4);
+  options.stretch = GetParam();
+  const PipelineResult r = run_pipeline(cylinder(2.0, 20.0, 48, 100), options);
+  const auto [along, around] = lengths_along_and_around(r);
+  EXPECT_NEAR(around, 0.4, 0.01);
+  EXPECT_NEAR(along, 0.4 * GetParam(), 0.02 * GetParam());
+  EXPECT_EQ(r.quad_quality.off_size_area_fraction, 0.0);
+  EXPECT_GT(r.min_wall_scaled_jacobian, 0.95);
+}
+
+INSTANTIATE_TEST_SUITE_P(, Stretch, testing::Values(0.5, 1.0, 2.0, 4.0));
+
+TEST(StretchedQuads, OfABifurcationGivesFewerQuadsAndTheSameSingularities) {
+  const TriangleSurface surface = generate_shape(Shape::bifurcation, 0.15);
+  PipelineOptions options = options_of(0.2);
+  const PipelineResult square = run_pipeline(surface, options);
+  options.stretch = 2.0;
+  const PipelineResult stretched = run_pipeline(surface, options);
+  expect_valid_wall(stretched);
+  EXPECT_EQ(stretched.numbers.across, square.numbers.across);
+  EXPECT_EQ(stretched.quad_quality.irregular, square.quad_quality.irregular);
+  EXPECT_NEAR(static_cast<double>(stretched.quads.quads.size()),
+              0.5 * static_cast<double>(square.quads.quads.size()),
+              0.05 * static_cast<double>(square.quads.quads.size()));
+}
+
+TEST(StretchedQuads, MustBeWithinReason) {
+  PipelineOptions options = options_of(0.3);
+  for (const double stretch : {0.0, -1.0, 11.0, std::nan("")}) {
+    options.stretch = stretch;
+    expect_error(ExitCode::usage, {"--stretch"},
+                 [&] { run_pipeline(cylinder(1.0, 4.0, 24, 16), options); });
+  }
 }
 
 TEST(SizeField, MustBePositiveAndComplete) {

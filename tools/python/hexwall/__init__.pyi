@@ -88,6 +88,7 @@ def mesh(
     size: float | None = None,
     relax: float | None = None,
     poles: Literal["auto", "off"] | int | Path | ArrayLike | None = None,
+    stretch: float | None = None,
     size_by: Literal["constant", "radius"] | None = None,
     size_field: str | None = None,
     threads: int | None = None,
