@@ -23,7 +23,9 @@ constexpr double default_outward_ratio = 0.1;
 constexpr double default_inward_ratio = 0.15;
 // Where the wall became thinner, faces between its layers may be warped too much for OpenFOAM. So
 // many times it is polished and fitted again, if it is no more than this share of the columns.
-constexpr int most_fits = 3;
+constexpr int most_fits = 8;
+// Evening out leaves this share of the shortest edge at a vertex, however often.
+constexpr double least_shortening = 0.5;
 constexpr double most_lacking = 0.02;
 
 void require(bool holds, const std::string& message) {
@@ -166,6 +168,7 @@ struct WallFit {
   int columns_without_face_tets = 0;
   int evened_vertices = 0;
   double min_scaled_jacobian = 0.0;
+  std::vector<double> least_edge;  // #V to which evening out may shorten edges
 
   double reduced_area_fraction() const {
     return (outward ? outward->reduced_area_fraction : 0.0) +
@@ -221,8 +224,8 @@ std::optional<WallFit> fitted(const PipelineResult& r, WallFit fit) {
 // large for the surface, evening out may fold them. `face_tets` as for `even_out`.
 std::optional<WallFit> evened_out(const PipelineResult& r, WallFit fit,
                                   const SurfaceProjector& projector, double face_tets) {
-  fit.evened_vertices +=
-      even_out(fit.quads, fit.places, fit.directions, projector, fit.shape, face_tets);
+  fit.evened_vertices += even_out(fit.quads, fit.places, fit.directions, projector, fit.shape,
+                                  fit.least_edge, face_tets);
   return fitted(r, std::move(fit));
 }
 
@@ -248,25 +251,29 @@ WallFit first_fit(const PipelineResult& r, WallFit start, const SurfaceProjector
 }
 
 // Evened out again while faces of a few columns cannot be split.
-WallFit mend_face_tets(const PipelineResult& r, WallFit fit, const SurfaceProjector& projector) {
+WallFit win_face_tets(const PipelineResult& r, WallFit fit, const SurfaceProjector& projector) {
   const double most = most_lacking * static_cast<double>(fit.quads.quads.size());
   WallFit best = fit;
   for (int round = 1; round <= most_fits; ++round) {
     if (fit.columns_without_face_tets == 0 || fit.columns_without_face_tets > most) break;
-    std::optional<WallFit> next =
-        evened_out(r, std::move(fit), projector, round / double{most_fits});
+    std::optional<WallFit> next = evened_out(r, std::move(fit), projector, round / 3.0);
     if (!next) break;
     fit = std::move(*next);
     if (!is_better(best, fit)) best = fit;
   }
-  return best;
+  if (best.columns_without_face_tets == 0 || best.columns_without_face_tets > most) return best;
+  WallFit mended = best;
+  mended.evened_vertices +=
+      mend_face_tets(mended.quads, mended.places, mended.directions, projector, mended.shape);
+  const std::optional<WallFit> refitted = fitted(r, std::move(mended));
+  return refitted && is_better(*refitted, best) ? *refitted : best;
 }
 
 // Raises the worst columns further, if that costs neither thickness nor faces that can be split.
 WallFit raise_worst(const PipelineResult& r, WallFit fit, const SurfaceProjector& projector) {
   WallFit trial = fit;
-  trial.evened_vertices +=
-      even_out_worst(trial.quads, trial.places, trial.directions, projector, trial.shape);
+  trial.evened_vertices += even_out_worst(trial.quads, trial.places, trial.directions, projector,
+                                          trial.shape, trial.least_edge);
   if (trial.evened_vertices == fit.evened_vertices) return fit;
   const std::optional<WallFit> raised = fitted(r, std::move(trial));
   const bool pays = raised && raised->columns_without_face_tets <= fit.columns_without_face_tets &&
@@ -277,7 +284,7 @@ WallFit raise_worst(const PipelineResult& r, WallFit fit, const SurfaceProjector
 
 WallFit find_thickness(const PipelineResult& r, const WallFit& start,
                        const SurfaceProjector& projector) {
-  return raise_worst(r, mend_face_tets(r, first_fit(r, start, projector), projector), projector);
+  return raise_worst(r, win_face_tets(r, first_fit(r, start, projector), projector), projector);
 }
 
 // Quads, places and thickness of the wall become those of the fit.
@@ -338,6 +345,8 @@ void make_wall(PipelineResult& r, std::vector<SurfacePoint>& places,
   start.places = places;
   start.directions = directions;
   start.shape = shape_of(r, places);
+  start.least_edge = shortest_edges(r.quads);
+  for (double& edge : start.least_edge) edge *= least_shortening;
   WallFit fit = find_thickness(r, start, projector);
   take_over(fit, r, places);
   check_strictness(r);

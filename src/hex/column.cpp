@@ -1,6 +1,7 @@
 #include "hex/column.h"
 
 #include <algorithm>
+#include <limits>
 
 #include <Eigen/Geometry>
 
@@ -24,8 +25,8 @@ Vec3 center(const Face& face) {
 }
 
 // Towards the cell below the face, the one above it, or both.
-bool can_be_split(const Face& face, const Vec3* below, const Vec3* above) {
-  return std::max(split_height(face, 0, below, above), split_height(face, 1, below, above)) > 0.0;
+double best_split_height(const Face& face, const Vec3* below, const Vec3* above) {
+  return std::max(split_height(face, 0, below, above), split_height(face, 1, below, above));
 }
 
 }  // namespace
@@ -65,8 +66,7 @@ double face_split(const Column& column, const std::vector<double>& levels) {
     const Vec3 high_center = center(high);
     const Vec3 center_above = 0.5 * (low_center + high_center);
     if (i > 0) {
-      const double split = std::max(split_height(low, 0, &center_below, &center_above),
-                                    split_height(low, 1, &center_below, &center_above));
+      const double split = best_split_height(low, &center_below, &center_above);
       least = std::min(least, 2.0 * split / (high_center - low_center).norm());
     }
     center_below = center_above;
@@ -76,22 +76,28 @@ double face_split(const Column& column, const std::vector<double>& levels) {
   return least;
 }
 
-bool has_face_tets(const Column& column, const std::vector<double>& levels) {
+double face_tet_margin(const Column& column, const std::vector<double>& levels) {
+  double least = std::numeric_limits<double>::max();
   Face low = level_face(column, levels.front());
   Vec3 center_below;
   for (std::size_t i = 0; i + 1 < levels.size(); ++i) {
     const Face high = level_face(column, levels[i + 1]);
-    const Vec3 center =
+    const Vec3 cell =
         cell_center({low[0], low[1], low[2], low[3], high[0], high[1], high[2], high[3]});
-    if (!can_be_split(low, i > 0 ? &center_below : nullptr, &center)) return false;
+    double height = best_split_height(low, i > 0 ? &center_below : nullptr, &cell);
     for (int k = 0; k < 4; ++k) {
       const int j = (k + 1) % 4;
-      if (!can_be_split({low[k], low[j], high[j], high[k]}, &center, nullptr)) return false;
+      height =
+          std::min(height, best_split_height({low[k], low[j], high[j], high[k]}, &cell, nullptr));
     }
-    center_below = center;
+    if (i + 2 == levels.size()) {
+      height = std::min(height, best_split_height(high, &cell, nullptr));
+    }
+    least = std::min(least, height / (center(high) - center(low)).norm());
+    center_below = cell;
     low = high;
   }
-  return can_be_split(low, &center_below, nullptr);
+  return least;
 }
 
 double corner_deficit(const Column& column, const std::vector<double>& levels, int squarings) {

@@ -37,10 +37,16 @@ double scaled_jacobian(const Column& column, const std::vector<double>& levels);
 /// volume towards both cells, which OpenFOAM reports as an error in face tets.
 double face_split(const Column& column, const std::vector<double>& levels);
 
-/// Whether the faces of the column's hexes can be split into triangles which, with the centres of
-/// the cells, give tetrahedra of positive volume, as OpenFOAM requires (the check of face tets):
-/// those between layers towards both cells, the others towards the column's cell.
-bool has_face_tets(const Column& column, const std::vector<double>& levels);
+/// By how much the faces of the column's hexes can be split into triangles which, with the centres
+/// of the cells, give tetrahedra of positive volume, as OpenFOAM requires (the check of face tets):
+/// those between layers towards both cells, the others towards the column's cell. The least
+/// distance of a centre from a triangle's plane over the layer's height; at or below 0 OpenFOAM
+/// reports an error.
+double face_tet_margin(const Column& column, const std::vector<double>& levels);
+
+inline bool has_face_tets(const Column& column, const std::vector<double>& levels) {
+  return face_tet_margin(column, levels) > 0.0;
+}
 
 /// Sum of (1 - J)^(2^squarings) over the corners of the base carried to each level, J the triple
 /// product of the unit edges and the direction there, of which the least is the column's scaled

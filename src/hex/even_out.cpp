@@ -7,6 +7,8 @@
 
 #include "core/parallel.h"
 #include "hex/column_search.h"
+#include "hex/thickness.h"
+#include "quad/quality.h"
 
 namespace hexwall {
 namespace {
@@ -38,12 +40,17 @@ constexpr int most_halvings = 5;
 constexpr int most_sweeps = 12;
 constexpr double enough_decrease = 0.9;
 
+// Margin of face tets that mending aims at.
+constexpr double wanted_margin = 0.02;
+constexpr int most_mending_sweeps = 40;
+
 /// Which columns are evened out, and what counts.
 struct Goals {
   double poor_jacobian;
   double split_weight;
-  int squarings;         ///< of the first power
-  bool keeps_face_tets;  ///< no face is lost to OpenFOAM
+  int squarings;                          ///< of the first power
+  bool keeps_face_tets;                   ///< no face is lost to OpenFOAM
+  const std::vector<double>& least_edge;  ///< #V that edges do not fall short of
 };
 
 /// Minimises the sum of a high power of what the corners of the hexes lack, around poor columns.
@@ -62,7 +69,9 @@ class Evener {
     if (static_cast<double>(vertices.size()) > most_evened * static_cast<double>(moved.size())) {
       return 0;
     }
-    for (const int v : vertices) least_edge_[v] = least_shortening * search_.shortest_edge(v);
+    for (const int v : vertices) {
+      least_edge_[v] = std::max(least_shortening * search_.shortest_edge(v), goals_.least_edge[v]);
+    }
     for (int squarings = goals_.squarings; squarings <= last_squarings; ++squarings) {
       squarings_ = squarings;
       minimise(vertices, squarings == first_squarings ? first_step : 0.5 * first_step, moved);
@@ -162,6 +171,67 @@ class Evener {
   std::vector<double> least_edge_;  // #V where vertices may move
 };
 
+/// Gives face tets to the columns that lack them.
+class FaceTetMender {
+ public:
+  explicit FaceTetMender(ColumnSearch& search)
+      : search_(search),
+        margin_(search.quads().quads.size()),
+        moved_(search.quads().points.size()) {
+    parallel_for(margin_.size(), [&](std::size_t q) { find_margin(static_cast<int>(q)); });
+  }
+
+  int run() {
+    double step = first_step;
+    for (int sweep = 0; sweep < most_mending_sweeps; ++sweep) {
+      search_.turn_rings();
+      bool improved = false;
+      for (std::size_t q = 0; q < margin_.size(); ++q) {
+        if (margin_[q] > 0.0) continue;
+        for (const int v : search_.quads().quads[q]) improved = improve(v, step) || improved;
+      }
+      if (!improved) step *= 0.5;
+    }
+    return static_cast<int>(std::count(moved_.begin(), moved_.end(), 1));
+  }
+
+ private:
+  void find_margin(int q) { margin_[q] = face_tet_margin(search_.column(q), search_.levels()); }
+
+  double cost_around(int v, double limit) const {
+    double sum = 0.0;
+    for (const int q : search_.columns_around(v)) {
+      sum += std::max(0.0, wanted_margin - face_tet_margin(search_.column(q), search_.levels()));
+      if (sum >= limit) break;
+    }
+    return sum;
+  }
+
+  double jacobian_around(int v) const {
+    double least = wanted_scaled_jacobian;
+    for (const int q : search_.columns_around(v)) {
+      least = std::min(least, scaled_jacobian(search_.column(q), search_.levels()));
+    }
+    return least;
+  }
+
+  bool improve(int v, double step) {
+    if (search_.quads().loop_of_vertex[v] >= 0) return false;
+    const double jacobian = jacobian_around(v);
+    const bool improved = search_.improve(
+        v, step, [this](int w, double limit) { return cost_around(w, limit); },
+        [&](int w) { return jacobian_around(w) >= jacobian; });
+    if (!improved) return false;
+    moved_[v] = 1;
+    for (const int q : search_.columns_around(v)) find_margin(q);
+    return true;
+  }
+
+  ColumnSearch& search_;
+  std::vector<double> margin_;
+  std::vector<char> moved_;
+};
+
 double least_jacobian(const ColumnSearch& search) {
   double least = 1.0;
   for (std::size_t q = 0; q < search.quads().quads.size(); ++q) {
@@ -172,22 +242,40 @@ double least_jacobian(const ColumnSearch& search) {
 
 }  // namespace
 
+std::vector<double> shortest_edges(const QuadMesh& quads) {
+  std::vector<double> shortest(quads.points.size(), std::numeric_limits<double>::max());
+  for (const auto& [a, b] : edges_of(quads)) {
+    const double length = (quads.points[a] - quads.points[b]).norm();
+    shortest[a] = std::min(shortest[a], length);
+    shortest[b] = std::min(shortest[b], length);
+  }
+  return shortest;
+}
+
 int even_out(QuadMesh& quads, std::vector<SurfacePoint>& places, std::vector<Vec3>& directions,
-             const SurfaceProjector& projector, const WallShape& shape, double face_tets) {
+             const SurfaceProjector& projector, const WallShape& shape,
+             const std::vector<double>& least_edge, double face_tets) {
   ColumnSearch search(quads, places, directions, projector, shape);
   const double split_weight =
       least_split_weight + face_tets * (greatest_split_weight - least_split_weight);
-  const Goals goals{poor_jacobian, split_weight, first_squarings, false};
+  const Goals goals{poor_jacobian, split_weight, first_squarings, false, least_edge};
   return Evener(search, hopeless_columns(search), goals).run(first_squarings);
 }
 
 int even_out_worst(QuadMesh& quads, std::vector<SurfacePoint>& places,
                    std::vector<Vec3>& directions, const SurfaceProjector& projector,
-                   const WallShape& shape) {
+                   const WallShape& shape, const std::vector<double>& least_edge) {
   ColumnSearch search(quads, places, directions, projector, shape);
   const double poor = std::min(poor_jacobian, least_jacobian(search) + worst_range);
-  const Goals goals{poor, worst_split_weight, first_squarings + 1, true};
+  const Goals goals{poor, worst_split_weight, first_squarings + 1, true, least_edge};
   return Evener(search, hopeless_columns(search), goals).run(most_squarings);
+}
+
+int mend_face_tets(QuadMesh& quads, std::vector<SurfacePoint>& places,
+                   std::vector<Vec3>& directions, const SurfaceProjector& projector,
+                   const WallShape& shape) {
+  ColumnSearch search(quads, places, directions, projector, shape);
+  return FaceTetMender(search).run();
 }
 
 }  // namespace hexwall

@@ -1,6 +1,7 @@
 #include "lumen/lumen.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -21,6 +22,8 @@ namespace {
 constexpr int improvement_rounds = 6;
 constexpr double hybrid_core_growth = 0.2;
 constexpr double most_skewness = 4.0;  // OpenFOAM reports more
+// Where faces stay bad whatever moves, other tetrahedra are tried: edges by these factors.
+constexpr std::array other_sizes{0.9, 1.1, 0.8};
 
 std::vector<std::string> opening_names(const PipelineResult& r) {
   std::vector<std::string> names;
@@ -198,6 +201,59 @@ void improve_core(const PipelineResult& r, const CoreSurface& core, TetMesh& tet
   }
 }
 
+std::vector<CellQuality> qualities(const CellMesh& mesh) {
+  if (mesh.regions.size() == 1) return {cell_quality(mesh)};
+  std::vector<CellQuality> result;
+  for (int region = 0; region < static_cast<int>(mesh.regions.size()); ++region) {
+    result.push_back(cell_quality(region_mesh(mesh, region)));
+  }
+  return result;
+}
+
+// How much OpenFOAM would complain of.
+int complaints(const std::vector<CellQuality>& quality) {
+  int sum = 0;
+  for (const CellQuality& q : quality) {
+    sum += q.faces_above_70 + (q.skewness.value > most_skewness ? 1 : 0);
+  }
+  return sum;
+}
+
+TetMesh fill(const CoreSurface& core, const LumenOptions& options, double size) {
+  const bool is_hybrid = options.mesh == LumenOptions::Mesh::hybrid;
+  std::vector<double> edge = core.edge;
+  for (double& length : edge) length *= size;
+  TetOptions tet_options;
+  tet_options.growth = options.core_growth.value_or(is_hybrid ? hybrid_core_growth : 0.0);
+  tet_options.seconds = options.seconds;
+  return fill_with_tets(core.surface, edge, tet_options);
+}
+
+void make_hybrid(const PipelineResult& r, const CoreSurface& core, TetMesh tets,
+                 LumenResult& result) {
+  result.mesh = Assembler(r, core, tets).hybrid();
+  improve_core(r, core, tets, result);
+  result.quality = qualities(result.mesh);
+  result.tetgen_seconds += tets.seconds;
+  result.tetgen_memory_bytes = std::max(result.tetgen_memory_bytes, tets.memory_bytes);
+}
+
+// Fills the core again where it did not come out well, and keeps the best.
+void try_other_cores(const PipelineResult& r, const CoreSurface& core, const LumenOptions& options,
+                     LumenResult& result) {
+  for (const double size : other_sizes) {
+    if (complaints(result.quality) == 0) return;
+    LumenResult other;
+    other.tetgen_seconds = result.tetgen_seconds;
+    make_hybrid(r, core, fill(core, options, size), other);
+    if (complaints(other.quality) < complaints(result.quality)) {
+      result = std::move(other);
+    } else {
+      result.tetgen_seconds = other.tetgen_seconds;
+    }
+  }
+}
+
 LumenOpening measure(const CellMesh& mesh, const std::string& name) {
   LumenOpening opening{name, false, Vec3::Zero(), Vec3::Zero(), 0.0, 0.0};
   const auto patch = std::find_if(mesh.patches.begin(), mesh.patches.end(),
@@ -248,15 +304,6 @@ CellCounts count_cells(const CellMesh& mesh) {
   return counts;
 }
 
-std::vector<CellQuality> qualities(const CellMesh& mesh) {
-  if (mesh.regions.size() == 1) return {cell_quality(mesh)};
-  std::vector<CellQuality> result;
-  for (int region = 0; region < static_cast<int>(mesh.regions.size()); ++region) {
-    result.push_back(cell_quality(region_mesh(mesh, region)));
-  }
-  return result;
-}
-
 // What OpenFOAM would complain of.
 void add_quality_warnings(LumenResult& r) {
   for (std::size_t i = 0; i < r.quality.size(); ++i) {
@@ -287,25 +334,22 @@ LumenResult make_lumen(const PipelineResult& r, const LumenOptions& options,
   clock.begin("caps");
   const CoreSurface core = is_hybrid ? pyramid_surface(inner_skin(r), opening_names(r))
                                      : split_surface(r.quads, opening_names(r));
-  result.lowered_pyramids = core.lowered;
   clock.begin("tetrahedra");
-  TetOptions tet_options;
-  tet_options.growth = options.core_growth.value_or(is_hybrid ? hybrid_core_growth : 0.0);
-  tet_options.seconds = options.seconds;
-  TetMesh tets = fill_with_tets(core.surface, core.edge, tet_options);
-  result.tetgen_seconds = tets.seconds;
-  result.tetgen_memory_bytes = tets.memory_bytes;
+  TetMesh tets = fill(core, options, 1.0);
   if (is_hybrid) {
-    result.mesh = Assembler(r, core, tets).hybrid();
     clock.begin("improve");
-    improve_core(r, core, tets, result);
+    make_hybrid(r, core, std::move(tets), result);
+    try_other_cores(r, core, options, result);
   } else {
+    result.tetgen_seconds = tets.seconds;
+    result.tetgen_memory_bytes = tets.memory_bytes;
     result.mesh = Assembler(r, core, tets).tet();
+    result.quality = qualities(result.mesh);
   }
   clock.begin("judge");
+  result.lowered_pyramids = core.lowered;
   result.openings = measure_openings(result.mesh, r, options.inlet);
   result.counts = count_cells(result.mesh);
-  result.quality = qualities(result.mesh);
   add_quality_warnings(result);
   clock.end();
   result.times = clock.times();
