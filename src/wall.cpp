@@ -14,6 +14,7 @@
 #include "foliation/local_radius.h"
 #include "hex/directions.h"
 #include "hex/even_out.h"
+#include "hex/mend_face_tets.h"
 #include "hex/quality.h"
 
 namespace hexwall {
@@ -22,11 +23,13 @@ namespace {
 constexpr double default_outward_ratio = 0.1;
 constexpr double default_inward_ratio = 0.15;
 // Where the wall became thinner, faces between its layers may be warped too much for OpenFOAM. So
-// many times it is polished and fitted again, if it is no more than this share of the columns.
+// many times columns are evened out and fitted again, those faces weighing the more the later, if
+// it is no more than this share of the columns.
 constexpr int most_fits = 8;
+constexpr double rounds_to_full_weight = 3.0;
+constexpr double most_lacking = 0.02;
 // Evening out leaves this share of the shortest edge at a vertex, however often.
 constexpr double least_shortening = 0.5;
-constexpr double most_lacking = 0.02;
 
 void require(bool holds, const std::string& message) {
   if (!holds) throw UsageError(message);
@@ -256,7 +259,8 @@ WallFit win_face_tets(const PipelineResult& r, WallFit fit, const SurfaceProject
   WallFit best = fit;
   for (int round = 1; round <= most_fits; ++round) {
     if (fit.columns_without_face_tets == 0 || fit.columns_without_face_tets > most) break;
-    std::optional<WallFit> next = evened_out(r, std::move(fit), projector, round / 3.0);
+    std::optional<WallFit> next =
+        evened_out(r, std::move(fit), projector, round / rounds_to_full_weight);
     if (!next) break;
     fit = std::move(*next);
     if (!is_better(best, fit)) best = fit;

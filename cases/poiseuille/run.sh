@@ -21,7 +21,7 @@ run() {
 }
 
 for size in 0.6 0.45 0.3 0.2; do
-  run hybrid $size --layers 6 --growth 1.2 --thickness-ratio 0.6 --core-growth 0
+  run hybrid $size --layers 6 --growth 1.2 --thickness-ratio 0.6 --core-growth 0 --stretch 2
 done
 for size in 0.45 0.3 0.2 0.14; do
   run tet $size

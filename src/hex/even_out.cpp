@@ -7,7 +7,6 @@
 
 #include "core/parallel.h"
 #include "hex/column_search.h"
-#include "hex/thickness.h"
 #include "quad/quality.h"
 
 namespace hexwall {
@@ -39,10 +38,6 @@ constexpr double first_step = 0.5;
 constexpr int most_halvings = 5;
 constexpr int most_sweeps = 12;
 constexpr double enough_decrease = 0.9;
-
-// Margin of face tets that mending aims at.
-constexpr double wanted_margin = 0.02;
-constexpr int most_mending_sweeps = 40;
 
 /// Which columns are evened out, and what counts.
 struct Goals {
@@ -171,67 +166,6 @@ class Evener {
   std::vector<double> least_edge_;  // #V where vertices may move
 };
 
-/// Gives face tets to the columns that lack them.
-class FaceTetMender {
- public:
-  explicit FaceTetMender(ColumnSearch& search)
-      : search_(search),
-        margin_(search.quads().quads.size()),
-        moved_(search.quads().points.size()) {
-    parallel_for(margin_.size(), [&](std::size_t q) { find_margin(static_cast<int>(q)); });
-  }
-
-  int run() {
-    double step = first_step;
-    for (int sweep = 0; sweep < most_mending_sweeps; ++sweep) {
-      search_.turn_rings();
-      bool improved = false;
-      for (std::size_t q = 0; q < margin_.size(); ++q) {
-        if (margin_[q] > 0.0) continue;
-        for (const int v : search_.quads().quads[q]) improved = improve(v, step) || improved;
-      }
-      if (!improved) step *= 0.5;
-    }
-    return static_cast<int>(std::count(moved_.begin(), moved_.end(), 1));
-  }
-
- private:
-  void find_margin(int q) { margin_[q] = face_tet_margin(search_.column(q), search_.levels()); }
-
-  double cost_around(int v, double limit) const {
-    double sum = 0.0;
-    for (const int q : search_.columns_around(v)) {
-      sum += std::max(0.0, wanted_margin - face_tet_margin(search_.column(q), search_.levels()));
-      if (sum >= limit) break;
-    }
-    return sum;
-  }
-
-  double jacobian_around(int v) const {
-    double least = wanted_scaled_jacobian;
-    for (const int q : search_.columns_around(v)) {
-      least = std::min(least, scaled_jacobian(search_.column(q), search_.levels()));
-    }
-    return least;
-  }
-
-  bool improve(int v, double step) {
-    if (search_.quads().loop_of_vertex[v] >= 0) return false;
-    const double jacobian = jacobian_around(v);
-    const bool improved = search_.improve(
-        v, step, [this](int w, double limit) { return cost_around(w, limit); },
-        [&](int w) { return jacobian_around(w) >= jacobian; });
-    if (!improved) return false;
-    moved_[v] = 1;
-    for (const int q : search_.columns_around(v)) find_margin(q);
-    return true;
-  }
-
-  ColumnSearch& search_;
-  std::vector<double> margin_;
-  std::vector<char> moved_;
-};
-
 double least_jacobian(const ColumnSearch& search) {
   double least = 1.0;
   for (std::size_t q = 0; q < search.quads().quads.size(); ++q) {
@@ -269,13 +203,6 @@ int even_out_worst(QuadMesh& quads, std::vector<SurfacePoint>& places,
   const double poor = std::min(poor_jacobian, least_jacobian(search) + worst_range);
   const Goals goals{poor, worst_split_weight, first_squarings + 1, true, least_edge};
   return Evener(search, hopeless_columns(search), goals).run(most_squarings);
-}
-
-int mend_face_tets(QuadMesh& quads, std::vector<SurfacePoint>& places,
-                   std::vector<Vec3>& directions, const SurfaceProjector& projector,
-                   const WallShape& shape) {
-  ColumnSearch search(quads, places, directions, projector, shape);
-  return FaceTetMender(search).run();
 }
 
 }  // namespace hexwall

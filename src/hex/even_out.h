@@ -28,11 +28,4 @@ int even_out_worst(QuadMesh& quads, std::vector<SurfacePoint>& places,
                    std::vector<Vec3>& directions, const SurfaceProjector& projector,
                    const WallShape& shape, const std::vector<double>& least_edge);
 
-/// Moves and turns vertices of the columns that lack face tets, by no more than it takes, without
-/// lowering a scaled Jacobian below 0.2. For the few that `even_out`, which knows the centres of
-/// cells approximately only, has left. \return vertices moved or turned.
-int mend_face_tets(QuadMesh& quads, std::vector<SurfacePoint>& places,
-                   std::vector<Vec3>& directions, const SurfaceProjector& projector,
-                   const WallShape& shape);
-
 }  // namespace hexwall

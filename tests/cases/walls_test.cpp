@@ -1,5 +1,5 @@
-// Walls that were hard to come by, of those that tests/bench/wall_matrix.sh makes: each meshed by
-// the program and judged by OpenFOAM.
+// Walls that were hard to come by, of those that tests/bench/wall_matrix.sh makes, and lumens: each
+// meshed by the program and judged by OpenFOAM.
 
 #include <filesystem>
 #include <string>
@@ -66,6 +66,41 @@ INSTANTIATE_TEST_SUITE_P(
                     Wall{"polishing_closes_quads_up", "vampy_left_atrium_C35_flowext.vtp", "0.2",
                          "1", "out"}),
     [](const auto& test) { return std::string(test.param.trouble); });
+
+struct Lumen {
+  const char* trouble;
+  const char* surface;
+};
+
+void PrintTo(const Lumen& lumen, std::ostream* out) {
+  *out << lumen.trouble << ": " << lumen.surface;
+}
+
+class HardLumen : public testing::TestWithParam<Lumen> {};
+
+TEST_P(HardLumen, PassesAllChecks) {
+  const Lumen& lumen = GetParam();
+  const TemporaryFolder folder;
+  const auto file = surface_file(lumen.surface, folder.path().string());
+  if (!file) GTEST_SKIP() << lumen.surface << " is not on this machine";
+  const fs::path output = folder / "out";
+  const ChildResult result = run_hexwall({"lumen", *file, "-o", output.string()});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const auto region = report_in(output)["lumen"]["regions"][0];
+  EXPECT_LT(region["non_orthogonality_deg"]["worst"], 70.0);
+  EXPECT_LT(region["skewness"]["worst"], 4.0);
+  const CheckMeshResult checked = check_mesh(output / "openfoam");
+  if (!checked.available) GTEST_SKIP() << "checkMesh is not installed";
+  EXPECT_TRUE(checked.ok) << checked.log;
+}
+
+INSTANTIATE_TEST_SUITE_P(, HardLumen,
+                         testing::Values(Lumen{"apex_far_from_where_a_quad_can_be_split",
+                                               "openlb_bifurcation3d_closed.stl"},
+                                         Lumen{"steep_faces_in_a_stenosis",
+                                               "vascularmd_cerebral_stenosis_quads.vtk"},
+                                         Lumen{"thinner_layers_lack_face_tets", "aaa"}),
+                         [](const auto& test) { return std::string(test.param.trouble); });
 
 }  // namespace
 }  // namespace hexwall::test
