@@ -2,6 +2,7 @@
 
 #include "hex/column.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -10,6 +11,7 @@
 #include "exporters/openfoam.h"
 #include "hex/cell_geometry.h"
 #include "hex/extrude.h"
+#include "hex/mend_face_tets.h"
 #include "hex/thickness.h"
 #include "support/check_mesh.h"
 #include "support/temporary_folder.h"
@@ -130,6 +132,63 @@ INSTANTIATE_TEST_SUITE_P(, WarpedQuads, testing::Values(0.0, 0.5, 0.9, 3.0, 6.0)
                            return "by_" + std::to_string(std::lround(10 * test.param)) +
                                   "_tenths_of_a_layer";
                          });
+
+TEST(FaceTetMargin, OfABrickIsHalf) {
+  const QuadMesh mesh = grid([](double, double) { return 0.0; });
+  for (const double thickness : {0.03, 0.3}) {
+    const WallShape shape = upward(mesh, 3, thickness);
+    const Column column = column_of(mesh, 0, up(mesh), shape);
+    EXPECT_NEAR(face_tet_margin(column, shape.plan.levels), 0.5, 1e-12);
+  }
+}
+
+int columns_without_face_tets(const QuadMesh& mesh, const std::vector<Vec3>& directions,
+                              const WallShape& shape) {
+  int count = 0;
+  for (int q = 0; q < static_cast<int>(mesh.quads.size()); ++q) {
+    if (!has_face_tets(column_of(mesh, q, directions, shape), shape.plan.levels)) ++count;
+  }
+  return count;
+}
+
+/// One direction is so far from the others that the faces between layers are warped around it.
+TEST(MendFaceTets, TurnsBackWhatWarpsThem) {
+  QuadMesh mesh = grid([](double, double) { return 0.0; });
+  TriangleSurface surface{mesh.points, {}};
+  std::vector<SurfacePoint> places(mesh.points.size());
+  for (const auto& [a, b, c, d] : mesh.quads) {
+    for (const int v : {a, b, c, d}) {
+      places[v] = {static_cast<int>(surface.triangles.size()), mesh.points[v]};
+    }
+    surface.triangles.push_back({a, b, c});
+    surface.triangles.push_back({a, c, d});
+  }
+  for (SurfacePoint& place : places) {
+    // Corners that are not of the first triangle of their last quad are of the second.
+    const auto& t = surface.triangles[place.face];
+    const bool is_corner =
+        std::any_of(t.begin(), t.end(), [&](int v) { return surface.points[v] == place.position; });
+    if (!is_corner) ++place.face;
+  }
+  const Connectivity connectivity(static_cast<int>(surface.points.size()), surface.triangles);
+  const SurfaceProjector projector(surface, connectivity);
+  const WallShape shape = upward(mesh, 8, 0.2);
+  std::vector<Vec3> directions = up(mesh);
+  const int tilted = vertex(3, 4);
+  directions[tilted] = Vec3(std::sin(1.1), 0.0, std::cos(1.1));
+  ASSERT_GE(columns_without_face_tets(mesh, directions, shape), 1);
+  const QuadMesh before = mesh;
+  const int moved = mend_face_tets(mesh, places, directions, projector, shape);
+  EXPECT_EQ(columns_without_face_tets(mesh, directions, shape), 0);
+  EXPECT_GE(moved, 1);
+  EXPECT_LE(moved, 9);
+  for (std::size_t v = 0; v < mesh.points.size(); ++v) {
+    const double distance = (before.points[v] - before.points[tilted]).norm();
+    if (distance > 0.4) {
+      EXPECT_EQ(mesh.points[v], before.points[v]);
+    }
+  }
+}
 
 TEST(FitThickness, EndsOnMeshesWithVeryShortEdges) {
   // A bowl, too narrow for the wall inside it, with two rows of vertices that nearly coincide.
