@@ -29,7 +29,7 @@ constexpr int most_fits = 8;
 constexpr double rounds_to_full_weight = 3.0;
 constexpr double most_lacking = 0.02;
 // Evening out leaves this share of the shortest edge at a vertex, however often.
-constexpr double least_shortening = 0.5;
+constexpr double least_share_of_edge = 0.5;
 
 void require(bool holds, const std::string& message) {
   if (!holds) throw UsageError(message);
@@ -189,12 +189,12 @@ int columns_without_face_tets(const WallFit& fit) {
 }
 
 double least_jacobian(const WallFit& fit) {
-  double least = 1.0;
-  for (std::size_t q = 0; q < fit.quads.quads.size(); ++q) {
+  std::vector<double> of_column(fit.quads.quads.size());
+  parallel_for(of_column.size(), [&](std::size_t q) {
     const Column column = column_of(fit.quads, static_cast<int>(q), fit.directions, fit.shape);
-    least = std::min(least, scaled_jacobian(column, fit.shape.plan.levels));
-  }
-  return least;
+    of_column[q] = scaled_jacobian(column, fit.shape.plan.levels);
+  });
+  return *std::min_element(of_column.begin(), of_column.end());
 }
 
 // Thickness that fits on each side, up to what is asked.
@@ -228,7 +228,7 @@ std::optional<WallFit> fitted(const PipelineResult& r, WallFit fit) {
 std::optional<WallFit> evened_out(const PipelineResult& r, WallFit fit,
                                   const SurfaceProjector& projector, double face_tets) {
   fit.evened_vertices += even_out(fit.quads, fit.places, fit.directions, projector, fit.shape,
-                                  fit.least_edge, face_tets);
+                                  {fit.least_edge, face_tets});
   return fitted(r, std::move(fit));
 }
 
@@ -263,6 +263,7 @@ WallFit win_face_tets(const PipelineResult& r, WallFit fit, const SurfaceProject
         evened_out(r, std::move(fit), projector, round / rounds_to_full_weight);
     if (!next) break;
     fit = std::move(*next);
+    // Of equals the later, where more weighed on margins.
     if (!is_better(best, fit)) best = fit;
   }
   if (best.columns_without_face_tets == 0 || best.columns_without_face_tets > most) return best;
@@ -350,7 +351,7 @@ void make_wall(PipelineResult& r, std::vector<SurfacePoint>& places,
   start.directions = directions;
   start.shape = shape_of(r, places);
   start.least_edge = shortest_edges(r.quads);
-  for (double& edge : start.least_edge) edge *= least_shortening;
+  for (double& edge : start.least_edge) edge *= least_share_of_edge;
   WallFit fit = find_thickness(r, start, projector);
   take_over(fit, r, places);
   check_strictness(r);

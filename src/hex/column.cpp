@@ -24,7 +24,8 @@ Vec3 center(const Face& face) {
   return 0.25 * (face[0] + face[1] + face[2] + face[3]);
 }
 
-// Towards the cell below the face, the one above it, or both.
+// `split_height` of the better diagonal, towards the cell below the face, the one above it, or
+// both.
 double best_split_height(const Face& face, const Vec3* below, const Vec3* above) {
   return std::max(split_height(face, 0, below, above), split_height(face, 1, below, above));
 }
@@ -93,7 +94,8 @@ double face_tet_margin(const Column& column, const std::vector<double>& levels) 
     if (i + 2 == levels.size()) {
       height = std::min(height, best_split_height(high, &cell, nullptr));
     }
-    least = std::min(least, height / (center(high) - center(low)).norm());
+    const double distance = (center(high) - center(low)).norm();
+    least = std::min(least, distance > 0.0 ? height / distance : 0.0);
     center_below = cell;
     low = high;
   }

@@ -29,7 +29,8 @@ constexpr double greatest_tilt = 45.0 * std::numbers::pi / 180.0;
 Vec3 turned_to(const Vec3& direction, const LoopPlane& plane, double height) {
   const Vec3 flat = direction - direction.dot(plane.normal) * plane.normal;
   if (flat.norm() < 1e-6) return direction;
-  return std::sqrt(1.0 - height * height) * flat.normalized() + height * plane.normal;
+  return std::sqrt(std::max(0.0, 1.0 - height * height)) * flat.normalized() +
+         height * plane.normal;
 }
 
 // Tilts a normal of the surface into the plane if it is not too far from it, and the less the

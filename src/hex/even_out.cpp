@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <utility>
 
 #include "core/parallel.h"
 #include "hex/column_search.h"
-#include "quad/quality.h"
 
 namespace hexwall {
 namespace {
@@ -31,7 +31,7 @@ constexpr double first_skew_weight = 1e-7;
 // Vertices stay, for the while, where the corners around them lack less than about 0.29.
 constexpr double first_good_cost = 2e-9;
 // No edge gets shorter than this share of the shortest one around its end.
-constexpr double least_shortening = 0.8;
+constexpr double least_share_of_edge = 0.8;
 // Steps start with this, or half of it where the power was raised, and are halved after so many
 // sweeps, or where a sweep leaves more than this share of the cost.
 constexpr double first_step = 0.5;
@@ -43,19 +43,19 @@ constexpr double enough_decrease = 0.9;
 struct Goals {
   double poor_jacobian;
   double split_weight;
-  int squarings;                          ///< of the first power
-  bool keeps_face_tets;                   ///< no face is lost to OpenFOAM
-  const std::vector<double>& least_edge;  ///< #V that edges do not fall short of
+  int squarings;         ///< of the first power
+  bool keeps_face_tets;  ///< no face is lost to OpenFOAM
 };
 
 /// Minimises the sum of a high power of what the corners of the hexes lack, around poor columns.
 class Evener {
  public:
-  Evener(ColumnSearch& search, std::vector<char> is_hopeless, const Goals& goals)
+  Evener(ColumnSearch& search, std::vector<char> is_hopeless, const Goals& goals,
+         std::span<const double> least_edge)
       : search_(search),
         is_hopeless_(std::move(is_hopeless)),
         goals_(goals),
-        least_edge_(search.quads().points.size(), 0.0) {}
+        least_edge_(least_edge.begin(), least_edge.end()) {}
 
   /// \return vertices moved or turned.
   int run(int last_squarings) {
@@ -65,7 +65,7 @@ class Evener {
       return 0;
     }
     for (const int v : vertices) {
-      least_edge_[v] = std::max(least_shortening * search_.shortest_edge(v), goals_.least_edge[v]);
+      least_edge_[v] = std::max(least_share_of_edge * search_.shortest_edge(v), least_edge_[v]);
     }
     for (int squarings = goals_.squarings; squarings <= last_squarings; ++squarings) {
       squarings_ = squarings;
@@ -163,46 +163,36 @@ class Evener {
   std::vector<char> is_hopeless_;
   Goals goals_;
   int squarings_ = first_squarings;
-  std::vector<double> least_edge_;  // #V where vertices may move
+  std::vector<double> least_edge_;  // #V
 };
 
 double least_jacobian(const ColumnSearch& search) {
-  double least = 1.0;
-  for (std::size_t q = 0; q < search.quads().quads.size(); ++q) {
-    least = std::min(least, scaled_jacobian(search.column(static_cast<int>(q)), search.levels()));
-  }
-  return least;
+  std::vector<double> of_column(search.quads().quads.size());
+  parallel_for(of_column.size(), [&](std::size_t q) {
+    of_column[q] = scaled_jacobian(search.column(static_cast<int>(q)), search.levels());
+  });
+  return *std::min_element(of_column.begin(), of_column.end());
 }
 
 }  // namespace
 
-std::vector<double> shortest_edges(const QuadMesh& quads) {
-  std::vector<double> shortest(quads.points.size(), std::numeric_limits<double>::max());
-  for (const auto& [a, b] : edges_of(quads)) {
-    const double length = (quads.points[a] - quads.points[b]).norm();
-    shortest[a] = std::min(shortest[a], length);
-    shortest[b] = std::min(shortest[b], length);
-  }
-  return shortest;
-}
-
 int even_out(QuadMesh& quads, std::vector<SurfacePoint>& places, std::vector<Vec3>& directions,
              const SurfaceProjector& projector, const WallShape& shape,
-             const std::vector<double>& least_edge, double face_tets) {
+             const EvenOutOptions& options) {
   ColumnSearch search(quads, places, directions, projector, shape);
   const double split_weight =
-      least_split_weight + face_tets * (greatest_split_weight - least_split_weight);
-  const Goals goals{poor_jacobian, split_weight, first_squarings, false, least_edge};
-  return Evener(search, hopeless_columns(search), goals).run(first_squarings);
+      least_split_weight + options.face_tets * (greatest_split_weight - least_split_weight);
+  const Goals goals{poor_jacobian, split_weight, first_squarings, false};
+  return Evener(search, hopeless_columns(search), goals, options.least_edge).run(first_squarings);
 }
 
 int even_out_worst(QuadMesh& quads, std::vector<SurfacePoint>& places,
                    std::vector<Vec3>& directions, const SurfaceProjector& projector,
-                   const WallShape& shape, const std::vector<double>& least_edge) {
+                   const WallShape& shape, std::span<const double> least_edge) {
   ColumnSearch search(quads, places, directions, projector, shape);
   const double poor = std::min(poor_jacobian, least_jacobian(search) + worst_range);
-  const Goals goals{poor, worst_split_weight, first_squarings + 1, true, least_edge};
-  return Evener(search, hopeless_columns(search), goals).run(most_squarings);
+  const Goals goals{poor, worst_split_weight, first_squarings + 1, true};
+  return Evener(search, hopeless_columns(search), goals, least_edge).run(most_squarings);
 }
 
 }  // namespace hexwall

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "hex/column.h"
@@ -8,24 +9,25 @@
 
 namespace hexwall {
 
-/// #V Length of the shortest edge at each vertex.
-std::vector<double> shortest_edges(const QuadMesh& quads);
+struct EvenOutOptions {
+  std::span<const double> least_edge;  ///< #V lengths that no edge there falls short of
+  double face_tets = 0.0;  ///< from 0 to 1, or above: weight of faces that OpenFOAM can split
+                           ///< (`has_face_tets`), at the cost of scaled Jacobians
+};
 
 /// Raises the worst hexes: columns that are poor still after `polish` are evened out together with
 /// the rings of quads around them, as eight quads that meet at a zero need room. Minimises the sum
 /// of the 16th power of what the corners of all hexes there lack, by pattern search.
 /// \param places, directions as for `polish` \param shape the wall as it is.
-/// \param least_edge #V that the edges at a vertex do not fall short of by its moves.
-/// \param face_tets from 0 to 1, or above: weight of faces that OpenFOAM can split
-/// (`has_face_tets`), at the cost of scaled Jacobians. \return vertices moved or turned.
+/// \return vertices moved or turned.
 int even_out(QuadMesh& quads, std::vector<SurfacePoint>& places, std::vector<Vec3>& directions,
              const SurfaceProjector& projector, const WallShape& shape,
-             const std::vector<double>& least_edge, double face_tets);
+             const EvenOutOptions& options);
 
 /// Raises the very worst hexes further, of what `even_out` left: the same with powers up to the
 /// 64th, which come close to the least scaled Jacobian itself. \return vertices moved or turned.
 int even_out_worst(QuadMesh& quads, std::vector<SurfacePoint>& places,
                    std::vector<Vec3>& directions, const SurfaceProjector& projector,
-                   const WallShape& shape, const std::vector<double>& least_edge);
+                   const WallShape& shape, std::span<const double> least_edge);
 
 }  // namespace hexwall

@@ -28,11 +28,14 @@ class FaceTetMender {
     double step = first_step;
     for (int sweep = 0; sweep < most_sweeps; ++sweep) {
       search_.turn_rings();
+      bool lacking = false;
       bool improved = false;
       for (std::size_t q = 0; q < margin_.size(); ++q) {
         if (margin_[q] > 0.0) continue;
+        lacking = true;
         for (const int v : search_.quads().quads[q]) improved = improve(v, step) || improved;
       }
+      if (!lacking) break;
       if (!improved) step *= 0.5;
     }
     return static_cast<int>(std::count(moved_.begin(), moved_.end(), 1));

@@ -23,7 +23,7 @@ constexpr double skew_weight = 0.02;
 constexpr double enough_thin_quality = 0.4;
 // Nor may edges fall below this share of the shortest one around their end at first: where the wall
 // is too thick for the place, quads would close up for what they cannot reach.
-constexpr double least_shortening = 0.3;
+constexpr double least_share_of_edge = 0.3;
 constexpr double smallest_step = 0.02;
 constexpr int most_sweeps = 60;
 
@@ -40,7 +40,7 @@ class Mender {
         shortfall_(search.quads().quads.size()),
         step_(search.quads().points.size(), 1.0) {
     for (int v = 0; v < static_cast<int>(step_.size()); ++v) {
-      least_edge_.push_back(least_shortening * search.shortest_edge(v));
+      least_edge_.push_back(least_share_of_edge * search.shortest_edge(v));
     }
   }
 

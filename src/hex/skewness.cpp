@@ -106,12 +106,11 @@ Skewness::Skewness(const QuadMesh& quads) : quads_(quads) {
   std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
     return std::tie(a.edge, a.quad) < std::tie(b.edge, b.quad);
   });
-  for (std::size_t i = 0; i < sides.size(); ++i) {
-    if (i + 1 < sides.size() && sides[i].edge == sides[i + 1].edge) {
-      edges_.push_back({sides[i].edge, {sides[i].quad, sides[i + 1].quad}});
-      ++i;
+  for (const Side& side : sides) {
+    if (!edges_.empty() && edges_.back().vertices == side.edge) {
+      edges_.back().quads[1] = side.quad;
     } else {
-      edges_.push_back({sides[i].edge, {sides[i].quad, -1}});
+      edges_.push_back({side.edge, {side.quad, -1}});
     }
   }
 }

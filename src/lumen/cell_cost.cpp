@@ -18,9 +18,9 @@ constexpr double limit_determinant = 0.008;  // checkMesh divides by 8, the dete
 
 // A quad between cells whose centres are so near its corners' planes can't be split into face tets.
 constexpr double limit_split = 0.01;
-// Near that and beyond, the cost grows by this times what is lacking.
+// Below this it grows by `split_slope` times what is lacking.
 constexpr double least_split = 0.001;
-constexpr double unsplittable = 1e6;
+constexpr double split_slope = 1e6;
 
 double square(double x) {
   return x * x;
@@ -42,7 +42,7 @@ double of_split(std::span<const Vec3> face, const Vec3& owner, const Vec3& other
       std::max(split_height(quad, 0, &owner, &other), split_height(quad, 1, &owner, &other));
   const double share = height / (other - owner).norm();
   return square(limit_split / std::max(share, least_split)) +
-         unsplittable * std::max(0.0, least_split - share);
+         split_slope * std::max(0.0, least_split - share);
 }
 
 }  // namespace

@@ -176,9 +176,15 @@ std::vector<char> movable_vertices(const CellMesh& mesh, const CoreSurface& core
   return movable;
 }
 
+/// A mesh of hexes, pyramids and tetrahedra.
+struct Hybrid {
+  CellMesh mesh;
+  ImproveResult improvement;
+  std::vector<CellQuality> quality;  // of each region
+};
+
 // Moves points and reconnects tetrahedra in turn, until nothing changes.
-void improve_core(const PipelineResult& r, const CoreSurface& core, TetMesh& tets,
-                  LumenResult& result) {
+void improve_core(const PipelineResult& r, const CoreSurface& core, TetMesh& tets, Hybrid& result) {
   const auto first_tet = static_cast<int>(
       std::find(result.mesh.shape.begin(), result.mesh.shape.end(), CellShape::tetrahedron) -
       result.mesh.shape.begin());
@@ -210,48 +216,47 @@ std::vector<CellQuality> qualities(const CellMesh& mesh) {
   return result;
 }
 
-// How much OpenFOAM would complain of.
-int complaints(const std::vector<CellQuality>& quality) {
-  int sum = 0;
-  for (const CellQuality& q : quality) {
-    sum += q.faces_above_70 + (q.skewness.value > most_skewness ? 1 : 0);
-  }
-  return sum;
+// Steep faces of the lumen, and one more if any is too skewed.
+int complaints(const Hybrid& hybrid) {
+  const CellQuality& lumen = hybrid.quality.front();
+  return lumen.faces_above_70 + (lumen.skewness.value > most_skewness ? 1 : 0);
 }
 
-TetMesh fill(const CoreSurface& core, const LumenOptions& options, double size) {
+// \param size factor on the edges.
+TetMesh fill(const CoreSurface& core, const LumenOptions& options, double size,
+             LumenResult& result) {
   const bool is_hybrid = options.mesh == LumenOptions::Mesh::hybrid;
   std::vector<double> edge = core.edge;
   for (double& length : edge) length *= size;
   TetOptions tet_options;
   tet_options.growth = options.core_growth.value_or(is_hybrid ? hybrid_core_growth : 0.0);
   tet_options.seconds = options.seconds;
-  return fill_with_tets(core.surface, edge, tet_options);
-}
-
-void make_hybrid(const PipelineResult& r, const CoreSurface& core, TetMesh tets,
-                 LumenResult& result) {
-  result.mesh = Assembler(r, core, tets).hybrid();
-  improve_core(r, core, tets, result);
-  result.quality = qualities(result.mesh);
+  TetMesh tets = fill_with_tets(core.surface, edge, tet_options);
   result.tetgen_seconds += tets.seconds;
   result.tetgen_memory_bytes = std::max(result.tetgen_memory_bytes, tets.memory_bytes);
+  return tets;
 }
 
-// Fills the core again where it did not come out well, and keeps the best.
-void try_other_cores(const PipelineResult& r, const CoreSurface& core, const LumenOptions& options,
-                     LumenResult& result) {
+Hybrid make_hybrid(const PipelineResult& r, const CoreSurface& core, TetMesh tets) {
+  Hybrid result{Assembler(r, core, tets).hybrid(), {}, {}};
+  improve_core(r, core, tets, result);
+  result.quality = qualities(result.mesh);
+  return result;
+}
+
+// Fills the core again where it did not come out well. \returns the best.
+Hybrid try_other_cores(const PipelineResult& r, const CoreSurface& core,
+                       const LumenOptions& options, Hybrid best, LumenResult& result) {
   for (const double size : other_sizes) {
-    if (complaints(result.quality) == 0) return;
-    LumenResult other;
-    other.tetgen_seconds = result.tetgen_seconds;
-    make_hybrid(r, core, fill(core, options, size), other);
-    if (complaints(other.quality) < complaints(result.quality)) {
-      result = std::move(other);
-    } else {
-      result.tetgen_seconds = other.tetgen_seconds;
+    if (complaints(best) == 0) break;
+    try {
+      Hybrid other = make_hybrid(r, core, fill(core, options, size, result));
+      if (complaints(other) < complaints(best)) best = std::move(other);
+    } catch (const MeshingError&) {
+      continue;  // there is a mesh
     }
   }
+  return best;
 }
 
 LumenOpening measure(const CellMesh& mesh, const std::string& name) {
@@ -335,14 +340,15 @@ LumenResult make_lumen(const PipelineResult& r, const LumenOptions& options,
   const CoreSurface core = is_hybrid ? pyramid_surface(inner_skin(r), opening_names(r))
                                      : split_surface(r.quads, opening_names(r));
   clock.begin("tetrahedra");
-  TetMesh tets = fill(core, options, 1.0);
+  TetMesh tets = fill(core, options, 1.0, result);
   if (is_hybrid) {
     clock.begin("improve");
-    make_hybrid(r, core, std::move(tets), result);
-    try_other_cores(r, core, options, result);
+    Hybrid hybrid =
+        try_other_cores(r, core, options, make_hybrid(r, core, std::move(tets)), result);
+    result.mesh = std::move(hybrid.mesh);
+    result.improvement = hybrid.improvement;
+    result.quality = std::move(hybrid.quality);
   } else {
-    result.tetgen_seconds = tets.seconds;
-    result.tetgen_memory_bytes = tets.memory_bytes;
     result.mesh = Assembler(r, core, tets).tet();
     result.quality = qualities(result.mesh);
   }

@@ -21,7 +21,7 @@ struct LumenOptions {
   std::string inlet;                  ///< name of an opening; empty: the largest
   std::optional<double> core_growth;  ///< tetrahedra's edges grow by this share of the distance;
                                       ///< default: 0.2 in a hybrid mesh, 0 without layers
-  double seconds = 600.0;             ///< TetGen may take
+  double seconds = 600.0;             ///< TetGen may take each time
 };
 
 /// How many cells of each shape there are.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include <Eigen/Geometry>
@@ -81,6 +82,16 @@ std::vector<std::array<int, 2>> edges_of(const QuadMesh& mesh) {
   std::sort(edges.begin(), edges.end());
   edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
   return edges;
+}
+
+std::vector<double> shortest_edges(const QuadMesh& mesh) {
+  std::vector<double> shortest(mesh.points.size(), std::numeric_limits<double>::max());
+  for (const auto& [a, b] : edges_of(mesh)) {
+    const double length = (mesh.points[a] - mesh.points[b]).norm();
+    shortest[a] = std::min(shortest[a], length);
+    shortest[b] = std::min(shortest[b], length);
+  }
+  return shortest;
 }
 
 QuadQuality quad_quality(const QuadMesh& mesh, const std::vector<double>& target, double stretch) {

@@ -37,4 +37,7 @@ QuadQuality quad_quality(const QuadMesh& mesh, const std::vector<double>& target
 /// Distinct edges as vertex pairs, the lower number first, in lexicographic order.
 std::vector<std::array<int, 2>> edges_of(const QuadMesh& mesh);
 
+/// #V Length of the shortest edge at each vertex.
+std::vector<double> shortest_edges(const QuadMesh& mesh);
+
 }  // namespace hexwall

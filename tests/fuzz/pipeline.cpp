@@ -5,6 +5,7 @@
 
 #include "pipeline.h"
 
+#include <array>
 #include <cmath>
 #include <cstdlib>
 
@@ -41,8 +42,8 @@ Request request_of(ByteSource& bytes) {
   if ((choices & 128U) != 0) {
     request.pipeline.poles.mode = PoleRequest::Mode::count;
     request.pipeline.poles.count = bytes.byte() % 4;
-    request.pipeline.stretch = 1.0 + bytes.byte() % 3;
   }
+  request.pipeline.stretch = std::array{1.0, 2.0, 0.5, 4.0}[bytes.byte() % 4];
   return request;
 }
 

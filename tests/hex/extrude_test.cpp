@@ -8,6 +8,7 @@
 
 #include "core/errors.h"
 #include "hex/directions.h"
+#include "hex/skewness.h"
 #include "hex/thickness.h"
 #include "support/expect_error.h"
 #include "support/verify_wall.h"
@@ -134,6 +135,21 @@ WallShape inward_shape(const Tube& t, double thickness) {
 
 double ring_volume(double inner, double outer) {
   return 12.0 * std::sin(2.0 * pi / 24) * (outer * outer - inner * inner) * 2.0;
+}
+
+/// Ring 0 leans along the tube so far that faces of a thin layer in it are too skewed; no other is.
+TEST(Skewness, CountsTheFacesOfEndRings) {
+  Tube t = tube(12, 4, 1.0, 2.0);
+  const WallShape shape = outward_shape(t, 0.01, 1);
+  const Skewness skewness(t.quads);
+  EXPECT_TRUE(skewness.quads_above(1.0, t.directions, shape, shape.plan.levels).empty());
+  for (std::size_t v = 0; v < t.directions.size(); ++v) {
+    if (t.quads.loop_of_vertex[v] != 0) continue;
+    t.directions[v] = (t.directions[v] + 2.0 * Vec3::UnitZ()).normalized();
+  }
+  const std::vector<int> skewed = skewness.quads_above(4.0, t.directions, shape, shape.plan.levels);
+  EXPECT_EQ(skewed.size(), 12U);
+  for (const int q : skewed) EXPECT_LT(q, 12);
 }
 
 TEST(Extrude, FillsATubeOutward) {
