@@ -135,13 +135,13 @@ def run_of(case):
     }
 
 
-def runs_of(folder, measure):
-    """What `measure` says of the runs FOLDER/hybrid_SIZE and FOLDER/tet_SIZE, from coarse to fine."""
+def runs_of(folder, measure, kinds=("hybrid", "tet")):
+    """What `measure` says of the runs FOLDER/KIND_SIZE, from coarse to fine."""
     return {
         kind: sorted(
             (measure(case) for case in glob.glob(os.path.join(folder, kind + "_*"))),
             key=lambda run: -run["size"])
-        for kind in ("hybrid", "tet")}
+        for kind in kinds}
 
 
 def table(runs, columns):
