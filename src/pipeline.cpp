@@ -20,6 +20,10 @@ namespace hexwall {
 namespace {
 
 constexpr double default_quad_count = 20000.0;
+// The default size gives each opening so many quads around, fewer of which would be folded, as long
+// as that does not take this many times as many quads.
+constexpr double least_quads_around = 9.0;
+constexpr double most_default_quads = 4.0 * default_quad_count;
 // Conformal sizes beyond this ratio to the target are met near zeros and in blind sacs, where the
 // form's scale tends to 0: no quad should be asked to be that large or small.
 constexpr double greatest_size_ratio = 3.0;
@@ -166,15 +170,24 @@ double expected_quads(const std::vector<Cylinder>& cylinders,
   return sum;
 }
 
+double default_size(const PipelineResult& r, double wanted) {
+  double size = std::sqrt(wanted / default_quad_count);
+  for (std::size_t i = 0; i < r.openings.size(); ++i) {
+    const std::vector<int>& loop = r.connectivity.loops()[i];
+    double edge = 0.0;
+    for (const int v : loop) edge += r.relative_edge[v] / static_cast<double>(loop.size());
+    size = std::min(size, r.openings[i].length / (edge * least_quads_around));
+  }
+  return std::max(size, std::sqrt(wanted / most_default_quads));
+}
+
 // Integers such that quads of the target sizes would cover the area of the surface.
 void find_numbers(PipelineResult& r) {
   const FormSolution& s = r.solution;
   const std::vector<double> edge = face_means(r.surface, r.relative_edge);
   std::vector<int> faces(edge.size());
   std::iota(faces.begin(), faces.end(), 0);
-  if (!r.options.size) {
-    r.options.size = std::sqrt(wanted_quads(r.surface, faces, edge) / default_quad_count);
-  }
+  if (!r.options.size) r.options.size = default_size(r, wanted_quads(r.surface, faces, edge));
   const double wanted =
       wanted_quads(s.refined.surface, s.refined.parent_face, edge) / square(*r.options.size);
   const double size_in_plane = std::sqrt(conformal_area(s) / wanted);

@@ -49,7 +49,7 @@ struct LayerOptions {
 
 struct PipelineOptions {
   std::optional<double> size;   ///< target edge length, around the vessel if they differ; default:
-                                ///< 20000 square quads
+                                ///< 20000 square quads, or up to 80000 for 9 around each opening
   bool size_by_radius = false;  ///< target edges proportional to the vessel's local radius, `size`
                                 ///< on the mean over the surface
   double stretch = 1.0;         ///< length of quads along the vessel over their width around it

@@ -57,8 +57,9 @@ PipelineOptions pipeline_options(const SurfaceCommandOptions& c, const ReadResul
 void add_surface_options(CLI::App& command, SurfaceCommandOptions& c) {
   add_input_options(command, c.input);
   command.add_option("-o,--output", c.output, "Folder for the results")->required();
-  command.add_option("--size", c.size,
-                     "Target quad edge length, in input units [sqrt(area / 20000)]");
+  command.add_option(
+      "--size", c.size,
+      "Target quad edge length, in input units [sqrt(area / 20000), less for thin branches]");
   command
       .add_option("--stretch", c.stretch,
                   "Length of the quads along the vessel over their width around it")

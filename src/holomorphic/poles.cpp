@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <optional>
 #include <set>
 
@@ -27,6 +28,10 @@ constexpr double left_out_radius = 0.35;
 // With so many forms all sign patterns of the others are tried for each candidate; above, the
 // charge joins the pattern that was best without it.
 constexpr int exhaustive_forms = 3;
+// With more forms than this, a charge joins the optimum and the forms of so many loops only: those
+// that take most of its flux. What it changes at the others hardly matters.
+constexpr int all_forms = 30;
+constexpr int loops_of_charge = 8;
 // Candidates are compared by their energy on about as many triangles, evenly taken from all: enough
 // to rank them, and the energy of a pole that is placed is computed on all.
 constexpr int judged_triangles = 4000;
@@ -116,6 +121,7 @@ class Judge {
         left_out_(left_out_radius * region_radius),
         g_(potentials(solution.basis)) {
     choose_triangles();
+    if (solution.basis.size() > all_forms) optimum_ = g_ * solution.optimum.lambda;
     for (const auto& loop : solution.connectivity.loops()) {
       lengths_.push_back(loop_shape(points_of(solution.refined.surface, loop)).length);
     }
@@ -154,16 +160,57 @@ class Judge {
     return -(u + s_.basis.f * s_.basis.capacity.llt().solve(harmonic_measure));
   }
 
+  /// What charges join: potentials, minima of the energy in them, and from which one on they are
+  /// those of single loops.
+  struct Background {
+    Eigen::MatrixXd g;
+    std::vector<Eigen::VectorXd> minima;
+    Eigen::Index first_loop = 0;
+  };
+
+  Background background(const std::vector<int>& vertices) const {
+    Background result;
+    if (s_.basis.size() > all_forms) {
+      const std::vector<int> loops = loops_of(vertices);
+      result.first_loop = 1;
+      result.g.resize(g_.rows(), 1 + loops_of_charge);
+      result.g.col(0) = optimum_;
+      for (int i = 0; i < loops_of_charge; ++i) result.g.col(1 + i) = g_.col(loops[i]);
+      result.minima.emplace_back(Eigen::VectorXd::Unit(result.g.cols(), 0));
+      return result;
+    }
+    result.g = g_;
+    if (s_.basis.size() > exhaustive_forms) {
+      result.minima.push_back(s_.optimum.descents[s_.optimum.best].lambda);
+    } else {
+      for (const Descent& descent : s_.optimum.descents) result.minima.push_back(descent.lambda);
+    }
+    return result;
+  }
+
+  // The loops with the greatest harmonic measure seen from the vertices.
+  std::vector<int> loops_of(const std::vector<int>& vertices) const {
+    Eigen::VectorXd measure = Eigen::VectorXd::Zero(s_.basis.size());
+    for (const int v : vertices) measure += s_.basis.f.row(v).transpose();
+    std::vector<int> loops(s_.basis.size());
+    std::iota(loops.begin(), loops.end(), 0);
+    std::stable_sort(loops.begin(), loops.end(),
+                     [&](int a, int b) { return measure[a] > measure[b]; });
+    loops.resize(loops_of_charge);
+    return loops;
+  }
+
   Judgement judge_one(const std::vector<int>& vertices, const Eigen::MatrixXd& potentials) const {
-    Eigen::MatrixXd g(g_.rows(), g_.cols() + potentials.cols());
-    g << g_, potentials;
+    const Background without = background(vertices);
+    Eigen::MatrixXd g(g_.rows(), without.g.cols() + potentials.cols());
+    g << without.g, potentials;
     const std::vector<int> faces = faces_away_from(vertices);
     const auto energy =
         area_energy({s_.refined.surface, faces, static_cast<int>(rho_.size()), g, rho_});
-    const Descent best = best_descent(*energy);
+    const Descent best = best_descent(*energy, without);
     // Where the neighbourhood left out is all of the surface, there is no energy to descend.
     Judgement judgement{vertices, best.energy, {}};
-    for (Eigen::Index i = g_.cols(); i < best.lambda.size(); ++i) {
+    for (Eigen::Index i = without.g.cols(); i < best.lambda.size(); ++i) {
       judgement.circumferences.push_back(std::abs(best.lambda[i]));
     }
     return judgement;
@@ -220,9 +267,10 @@ class Judge {
   };
 
   // One charge joins a minimum without it; its flux leaves through each of the loops in turn.
-  void add_to_minimum(const Eigen::VectorXd& minimum, Starts& starts) const {
+  void add_to_minimum(const Eigen::VectorXd& minimum, Eigen::Index first_loop,
+                      Starts& starts) const {
     const Eigen::Index n = minimum.size();
-    for (Eigen::Index loop = 0; loop <= n; ++loop) {
+    for (Eigen::Index loop = first_loop; loop <= n; ++loop) {
       for (const double sign : {1.0, -1.0}) {
         const double charge = sign * 2.0 * std::numbers::pi * left_out_;
         Eigen::VectorXd lambda(n + 1);
@@ -244,11 +292,10 @@ class Judge {
 
   // Starts are the minima without the charges, and with few loops all patterns of signs, the
   // charges as strong as the region is wide; descents begin at the best of them.
-  Descent best_descent(const AreaEnergy& energy) const {
+  Descent best_descent(const AreaEnergy& energy, const Background& without) const {
     Starts starts(energy);
-    const int n = s_.basis.size();
-    const int charges = energy.size() - n;
-    const bool few = n <= exhaustive_forms;
+    const auto charges = energy.size() - without.g.cols();
+    const bool few = s_.basis.size() <= exhaustive_forms;
     if (few) {
       std::vector<double> lengths = lengths_;
       lengths.resize(lengths.size() + charges - 1, lengths_.back());
@@ -256,12 +303,11 @@ class Judge {
         starts.add(balanced_start(signs, lengths, s_.basis.exterior));
       });
     }
-    for (const Descent& other : s_.optimum.descents) {
-      if (!few && &other != &s_.optimum.descents[s_.optimum.best]) continue;
+    for (const Eigen::VectorXd& minimum : without.minima) {
       if (charges == 1) {
-        add_to_minimum(other.lambda, starts);
+        add_to_minimum(minimum, without.first_loop, starts);
       } else {
-        add_pair_to_minimum(other.lambda, starts);
+        add_pair_to_minimum(minimum, starts);
       }
     }
     Descent best;
@@ -281,6 +327,7 @@ class Judge {
   Eigen::VectorXd rho_;          // of the judged triangles
   std::vector<double> lengths_;  // of the loops, and of one around the blind region
   Eigen::MatrixXd g_;
+  Eigen::VectorXd optimum_;  // potential of the optimum, if there are very many forms
 };
 
 std::vector<std::vector<int>> one_by_one(const std::vector<int>& vertices) {

@@ -136,31 +136,33 @@ class Relaxer {
   }
 
   // Whether an edge of a quad is much too short, and has become shorter.
-  bool is_pinched(int q, const Corners& after) const {
+  bool is_pinched(int q, const Corners& before, const Corners& after) const {
     const double least = least_edge * std::min(size_[q].along_x, size_[q].along_y);
     for (int k = 0; k < 4; ++k) {
       const int j = (k + 1) % 4;
       const double length = (after[k] - after[j]).squaredNorm();
-      if (length >= least * least) continue;
-      const Corners before = corners_of(mesh_, q);
-      if (length < (before[k] - before[j]).squaredNorm()) return true;
+      if (length < least * least && length < (before[k] - before[j]).squaredNorm()) return true;
     }
     return false;
   }
 
-  // Takes back the moves of all corners of quads that would become worse than the worst one was, or
-  // pinched.
+  // Takes back the moves of all corners of quads that would become worse than the worst one was,
+  // inverted if they were not, turned over, or pinched.
   void undo_harmful_moves() {
     const double worst = *std::min_element(jacobian_.begin(), jacobian_.end());
+    const std::vector<double> jacobian_before = jacobian_;
     std::vector<char> harmful(jacobian_.size());
     std::vector<int> suspects(jacobian_.size());
     std::iota(suspects.begin(), suspects.end(), 0);
     while (!suspects.empty()) {
       parallel_for(suspects.size(), [&](std::size_t i) {
         const int q = suspects[i];
+        const Corners before = corners_of(mesh_, q);
         const Corners after = corners_of(moved_, mesh_.quads[q]);
         jacobian_[q] = scaled_jacobian(after);
-        harmful[q] = jacobian_[q] < worst || is_pinched(q, after) ? 1 : 0;
+        const bool is_worse = jacobian_[q] < std::min(jacobian_before[q], std::max(worst, 0.0));
+        const bool is_turned = doubled_area_vector(before).dot(doubled_area_vector(after)) < 0.0;
+        harmful[q] = is_worse || is_turned || is_pinched(q, before, after) ? 1 : 0;
       });
       std::vector<int> undone;
       for (const int q : suspects) {

@@ -49,6 +49,23 @@ TEST(Poles, ComeInABlindSac) {
   EXPECT_FALSE(r.solution.is_pole(1));
 }
 
+// With so many loops a place is judged by the loops near it.
+TEST(Poles, ComeInABlindSacAmongManyLoops) {
+  const Vessel vessel(tree_with_sides(30, true));
+  const FormSolution start = solve_form(vessel.problem());
+  ASSERT_EQ(start.basis.size(), 31);
+  PoleOptions options;
+  options.most = 1;
+  options.only_if_worthwhile = false;
+  const PoleResult r = place_poles(vessel.problem(), start, options);
+  ASSERT_EQ(r.poles.size(), 1U);
+  const Vec3& place = r.poles[0].disk.center.position;
+  EXPECT_GT(std::hypot(place.x(), place.y()), 4.0) << "not in the sac";
+  EXPECT_GT(place.z(), 37.0) << "not in the sac";
+  EXPECT_LT(r.poles[0].off_share_after, 0.6 * r.poles[0].off_share_before);
+  expect_poly_annulus(r.solution);
+}
+
 TEST(Poles, AreReportedWithWhatTheyBring) {
   const Vessel vessel(tube_with_sac());
   const FormSolution before = solve_form(vessel.problem());

@@ -153,6 +153,15 @@ TEST(SizeField, MustBePositiveAndComplete) {
                [&] { run_pipeline(surface, options); });
 }
 
+// With 20,000 quads there would be 7 around this tube.
+TEST(Size, ByDefaultIsNotTooLargeForThinVessels) {
+  const TriangleSurface surface = cylinder(1.0, 2400.0, 12, 4000);
+  const PipelineResult r = run_pipeline(surface, {});
+  for (int loop = 0; loop < 2; ++loop) {
+    EXPECT_EQ(std::count(r.quads.loop_of_vertex.begin(), r.quads.loop_of_vertex.end(), loop), 9);
+  }
+}
+
 TEST(Size, IsSaidToBeTooLargeWhereQuadsAreBad) {
   PipelineResult r = run_pipeline(cylinder(1.0, 4.0, 24, 20), {});
   const auto says_so = [](const std::string& warning) {

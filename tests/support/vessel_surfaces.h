@@ -56,10 +56,12 @@ inline TriangleSurface branching_tree(double edge) {
                      edge);
 }
 
-/// A trunk with `sides` side branches in a spiral around it: two loops more.
-inline TriangleSurface tree_with_sides(int sides) {
+/// A trunk with `sides` side branches in a spiral around it: two loops more. With a sac too: a wide
+/// blind branch along x, beyond the side branches.
+inline TriangleSurface tree_with_sides(int sides, bool with_sac = false) {
   std::vector<Branch> branches;
-  const double length = 1.1 * sides + 4.0;
+  const double sac = 1.1 * sides + 5.0;
+  const double length = with_sac ? sac + 5.0 : 1.1 * sides + 4.0;
   branches.push_back(
       {{{0, 0, 0}, {0, 0, 0.5 * length}, {0, 0, length}}, {1.2, 1.2, 1.2}, true, true, 0.0});
   for (int i = 0; i < sides; ++i) {
@@ -72,6 +74,10 @@ inline TriangleSurface tree_with_sides(int sides) {
          false,
          true,
          0.2});
+  }
+  if (with_sac) {
+    branches.push_back(
+        {{Vec3(0, 0, sac), Vec3(3, 0, sac), Vec3(6, 0, sac)}, {1.0, 1.2, 1.2}, false, false, 0.3});
   }
   return vessel_tree(branches, 0.2);
 }
