@@ -11,10 +11,10 @@
 #include <nlohmann/json.hpp>
 #include <vtkBase64Utilities.h>
 #include <vtkNew.h>
-#include <vtkZLibDataCompressor.h>
 
 #include "core/errors.h"
 #include "exporters/view_frame.h"
+#include "exporters/zlib_compressor.h"
 #include "lumen/cell_faces.h"
 
 namespace hexwall {
@@ -44,7 +44,7 @@ class Blocks {
   const Json& list() const { return list_; }
 
   std::string base64() const {
-    vtkNew<vtkZLibDataCompressor> zlib;
+    vtkNew<ZlibCompressor> zlib;
     zlib->SetCompressionLevel(6);
     std::vector<unsigned char> packed(zlib->GetMaximumCompressionSpace(bytes_.size()));
     const auto* from = reinterpret_cast<const unsigned char*>(bytes_.data());

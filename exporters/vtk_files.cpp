@@ -20,6 +20,7 @@
 
 #include "core/errors.h"
 #include "exporters/output_file.h"
+#include "exporters/zlib_compressor.h"
 #include "lumen/cell_faces.h"
 
 namespace hexwall {
@@ -102,9 +103,10 @@ std::string xml_bytes(vtkDataSet* data) {
   writer->SetDataModeToAppended();
   writer->EncodeAppendedDataOff();
   writer->SetHeaderTypeToUInt64();
-  // LZ4 is twice as fast but gives files of twice the size, and meshio cannot read it.
-  writer->SetCompressorTypeToZLib();
-  writer->SetCompressionLevel(1);
+  // LZ4 gives files of twice the size, and meshio cannot read it.
+  vtkNew<ZlibCompressor> compressor;
+  compressor->SetCompressionLevel(1);
+  writer->SetCompressor(compressor);
   writer->SetBlockSize(std::size_t{256} << 10);
   writer->WriteToOutputStringOn();
   writer->Write();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <span>
 #include <utility>
 
@@ -59,43 +60,68 @@ class Evener {
 
   /// \return vertices moved or turned.
   int run(int last_squarings) {
-    const std::vector<int> vertices = vertices_around_poor_columns();
-    std::vector<char> moved(least_edge_.size(), 0);
-    if (static_cast<double>(vertices.size()) > most_evened * static_cast<double>(moved.size())) {
-      return 0;
-    }
-    for (const int v : vertices) {
+    vertices_ = vertices_around_poor_columns();
+    const auto count = static_cast<double>(least_edge_.size());
+    if (static_cast<double>(vertices_.size()) > most_evened * count) return 0;
+    for (const int v : vertices_) {
       least_edge_[v] = std::max(least_share_of_edge * search_.shortest_edge(v), least_edge_[v]);
     }
+    find_groups();
+    moved_.assign(least_edge_.size(), 0);
+    cost_.resize(least_edge_.size());
     for (int squarings = goals_.squarings; squarings <= last_squarings; ++squarings) {
       squarings_ = squarings;
-      minimise(vertices, squarings == first_squarings ? first_step : 0.5 * first_step, moved);
+      minimise(squarings == first_squarings ? first_step : 0.5 * first_step);
     }
-    return static_cast<int>(std::count(moved.begin(), moved.end(), 1));
+    return static_cast<int>(std::count(moved_.begin(), moved_.end(), 1));
   }
 
  private:
-  void minimise(const std::vector<int>& vertices, double step, std::vector<char>& moved) {
+  void minimise(double step) {
     for (int halving = 0; halving < most_halvings; ++halving, step *= 0.5) {
       double before = std::numeric_limits<double>::max();
       for (int i = 0; i < most_sweeps; ++i) {
-        const double cost = sweep(vertices, step, moved);
+        const double cost = sweep(step);
         if (cost > enough_decrease * before) break;
         before = cost;
       }
     }
   }
 
-  double sweep(const std::vector<int>& vertices, double step, std::vector<char>& moved) {
+  double sweep(double step) {
     const double good = squared(first_good_cost, squarings_ - first_squarings);
-    double sum = 0.0;
     search_.turn_rings();
-    for (const int v : vertices) {
-      const double cost = cost_around(v);
-      if (cost > good && improve(v, step)) moved[v] = 1;
-      sum += cost;
+    parallel_tasks(groups_.size(), [&](std::size_t group) {
+      for (const int v : groups_[group]) {
+        cost_[v] = cost_around(v);
+        if (cost_[v] > good && improve(v, step)) moved_[v] = 1;
+      }
+    });
+    // In an order that does not depend on the groups.
+    return std::accumulate(vertices_.begin(), vertices_.end(), 0.0,
+                           [this](double sum, int v) { return sum + cost_[v]; });
+  }
+
+  // Vertices of different groups have no quad in common, so that neither sees the other one move.
+  void find_groups() {
+    std::vector<char> is_waiting(least_edge_.size(), 0);
+    for (const int v : vertices_) is_waiting[v] = 1;
+    for (const int first : vertices_) {
+      if (is_waiting[first] == 0) continue;
+      is_waiting[first] = 0;
+      std::vector<int> group{first};
+      for (std::size_t i = 0; i < group.size(); ++i) {
+        for (const int q : search_.columns_around(group[i])) {
+          for (const int v : search_.quads().quads[q]) {
+            if (is_waiting[v] == 0) continue;
+            is_waiting[v] = 0;
+            group.push_back(v);
+          }
+        }
+      }
+      std::sort(group.begin(), group.end());
+      groups_.push_back(std::move(group));
     }
-    return sum;
   }
 
   std::vector<int> vertices_around_poor_columns() const {
@@ -164,6 +190,10 @@ class Evener {
   Goals goals_;
   int squarings_ = first_squarings;
   std::vector<double> least_edge_;  // #V
+  std::vector<int> vertices_;       // that may be moved or turned
+  std::vector<std::vector<int>> groups_;
+  std::vector<char> moved_;   // #V
+  std::vector<double> cost_;  // #V, around each one when it was looked at last
 };
 
 double least_jacobian(const ColumnSearch& search) {

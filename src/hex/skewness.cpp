@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <tuple>
 
 #include <Eigen/Geometry>
 
@@ -91,29 +90,7 @@ class Cells {
 
 }  // namespace
 
-Skewness::Skewness(const QuadMesh& quads) : quads_(quads) {
-  struct Side {
-    std::array<int, 2> edge;
-    int quad;
-  };
-  std::vector<Side> sides;
-  for (int q = 0; q < static_cast<int>(quads.quads.size()); ++q) {
-    for (int k = 0; k < 4; ++k) {
-      const auto [low, high] = std::minmax(quads.quads[q][k], quads.quads[q][(k + 1) % 4]);
-      sides.push_back({{low, high}, q});
-    }
-  }
-  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
-    return std::tie(a.edge, a.quad) < std::tie(b.edge, b.quad);
-  });
-  for (const Side& side : sides) {
-    if (!edges_.empty() && edges_.back().vertices == side.edge) {
-      edges_.back().quads[1] = side.quad;
-    } else {
-      edges_.push_back({side.edge, {side.quad, -1}});
-    }
-  }
-}
+Skewness::Skewness(const QuadMesh& quads) : quads_(quads), edges_(edges_with_quads(quads)) {}
 
 std::vector<int> Skewness::quads_above(double limit, const std::vector<Vec3>& directions,
                                        const WallShape& shape,

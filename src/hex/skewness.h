@@ -1,9 +1,9 @@
 #pragma once
 
-#include <array>
 #include <vector>
 
 #include "hex/column.h"
+#include "quad/quality.h"
 
 namespace hexwall {
 
@@ -21,13 +21,8 @@ class Skewness {
                                const WallShape& shape, const std::vector<double>& levels) const;
 
  private:
-  struct Edge {
-    std::array<int, 2> vertices;
-    std::array<int, 2> quads;  ///< on both sides, the second -1 on a boundary loop
-  };
-
   const QuadMesh& quads_;
-  std::vector<Edge> edges_;
+  std::vector<QuadEdge> edges_;
 };
 
 }  // namespace hexwall

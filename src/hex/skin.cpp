@@ -1,13 +1,22 @@
 #include "hex/skin.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "core/cancel.h"
 #include "core/parallel.h"
 #include "quad/boundary.h"
+#include "quad/quality.h"
 #include "surface/self_intersection.h"
+#include "surface/separation.h"
 
 namespace hexwall {
+namespace {
+
+// Scaled Jacobian from which on no split of a face folds it.
+constexpr double surely_convex = 1e-3;
+
+}  // namespace
 
 Skin::Skin(const QuadMesh& quads, const std::vector<Vec3>& directions, Side side)
     : quads_(quads), directions_(directions), sign_(side == Side::outward ? 1.0 : -1.0) {
@@ -23,54 +32,79 @@ Skin::Skin(const QuadMesh& quads, const std::vector<Vec3>& directions, Side side
   }
 }
 
-TriangleSurface Skin::triangulated(const std::vector<double>& thickness, int diagonal) const {
-  TriangleSurface surface;
-  surface.points.reserve(2 * quads_.points.size());
+std::vector<Vec3> Skin::points(const std::vector<double>& thickness) const {
+  std::vector<Vec3> points;
+  points.reserve(2 * quads_.points.size());
   for (std::size_t v = 0; v < quads_.points.size(); ++v) {
-    surface.points.push_back(quads_.points[v] + sign_ * thickness[v] * directions_[v]);
+    points.push_back(quads_.points[v] + sign_ * thickness[v] * directions_[v]);
   }
-  surface.points.insert(surface.points.end(), quads_.points.begin(), quads_.points.end());
-  surface.triangles.reserve(2 * faces_.size());
-  for (const Face& face : faces_) {
-    const auto at = [&](int k) { return face.vertices[(k + diagonal) % 4]; };
-    surface.triangles.push_back({at(0), at(1), at(2)});
-    surface.triangles.push_back({at(0), at(2), at(3)});
-  }
-  return surface;
+  points.insert(points.end(), quads_.points.begin(), quads_.points.end());
+  return points;
 }
 
-std::vector<int> Skin::quads_of(const std::vector<std::pair<int, int>>& pairs) const {
+std::vector<int> Skin::in_doubt(const std::vector<Vec3>& points,
+                                const std::vector<int>& faces) const {
+  const Separation separation(points);
+  std::vector<Eigen::AlignedBox3d> boxes(faces.size());
+  std::vector<char> doubtful(faces.size());
+  parallel_for(faces.size(), [&](std::size_t i) {
+    const std::array<Vec3, 4> corners = corners_of(points, faces_[faces[i]].vertices);
+    for (const Vec3& corner : corners) boxes[i].extend(corner);
+    doubtful[i] = scaled_jacobian(corners) < surely_convex ? 1 : 0;
+  });
+  for_box_pairs(boxes, [&](const std::vector<std::pair<int, int>>& pairs) {
+    std::vector<char> is_doubt(pairs.size());
+    parallel_for(pairs.size(), [&](std::size_t i) {
+      const auto& [f, g] = pairs[i];
+      is_doubt[i] =
+          separation.is_certain(faces_[faces[f]].vertices, faces_[faces[g]].vertices) ? 0 : 1;
+    });
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      if (is_doubt[i] != 0) doubtful[pairs[i].first] = doubtful[pairs[i].second] = 1;
+    }
+  });
   std::vector<int> result;
-  for (const auto& [f, g] : pairs) {
-    result.insert(result.end(), {faces_[f / 2].quad, faces_[g / 2].quad});
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    if (doubtful[i] != 0) result.push_back(faces[i]);
   }
-  std::sort(result.begin(), result.end());
-  result.erase(std::unique(result.begin(), result.end()), result.end());
   return result;
 }
 
+std::vector<int> Skin::collisions_of(const std::vector<Vec3>& points,
+                                     const std::vector<int>& faces) const {
+  const std::vector<int> doubtful = in_doubt(points, faces);
+  for (const int diagonal : {0, 1}) {
+    throw_if_cancelled();
+    TriangleSurface surface{points, {}};
+    for (const int face : doubtful) {
+      const auto at = [&](int k) { return faces_[face].vertices[(k + diagonal) % 4]; };
+      surface.triangles.push_back({at(0), at(1), at(2)});
+      surface.triangles.push_back({at(0), at(2), at(3)});
+    }
+    std::vector<int> quads;
+    for (const auto& [f, g] : self_intersections(surface)) {
+      quads.insert(quads.end(), {faces_[doubtful[f / 2]].quad, faces_[doubtful[g / 2]].quad});
+    }
+    std::sort(quads.begin(), quads.end());
+    quads.erase(std::unique(quads.begin(), quads.end()), quads.end());
+    if (!quads.empty()) return quads;
+  }
+  return {};
+}
+
 std::vector<int> Skin::collisions(const std::vector<double>& thickness) const {
-  std::array<std::vector<int>, 2> found;
-  parallel_tasks(2, [&](std::size_t diagonal) {
-    found[diagonal] =
-        quads_of(self_intersections(triangulated(thickness, static_cast<int>(diagonal))));
-  });
-  return found[0].empty() ? found[1] : found[0];
+  std::vector<int> all(faces_.size());
+  std::iota(all.begin(), all.end(), 0);
+  return collisions_of(points(thickness), all);
 }
 
 std::vector<int> Skin::collisions(const std::vector<double>& thickness,
                                   const std::vector<int>& among) const {
-  std::vector<int> triangles;
+  std::vector<int> faces;
   for (int i = 0; i < static_cast<int>(faces_.size()); ++i) {
-    if (!std::binary_search(among.begin(), among.end(), faces_[i].quad)) continue;
-    triangles.insert(triangles.end(), {2 * i, 2 * i + 1});
+    if (std::binary_search(among.begin(), among.end(), faces_[i].quad)) faces.push_back(i);
   }
-  const auto found = [&](int diagonal) {
-    throw_if_cancelled();
-    return quads_of(self_intersections(triangulated(thickness, diagonal), triangles));
-  };
-  std::vector<int> quads = found(0);
-  return quads.empty() ? found(1) : quads;
+  return collisions_of(points(thickness), faces);
 }
 
 }  // namespace hexwall

@@ -30,9 +30,12 @@ class Skin {
     int quad;
   };
 
-  // Vertices of the skin, then of the quad mesh; two triangles a face, split at corner `diagonal`.
-  TriangleSurface triangulated(const std::vector<double>& thickness, int diagonal) const;
-  std::vector<int> quads_of(const std::vector<std::pair<int, int>>& pairs) const;
+  // Of the skin, then of the quad mesh.
+  std::vector<Vec3> points(const std::vector<double>& thickness) const;
+  // Of some faces those that may meet others, or are folded: the rest certainly don't.
+  std::vector<int> in_doubt(const std::vector<Vec3>& points, const std::vector<int>& faces) const;
+  std::vector<int> collisions_of(const std::vector<Vec3>& points,
+                                 const std::vector<int>& faces) const;
 
   const QuadMesh& quads_;
   const std::vector<Vec3>& directions_;

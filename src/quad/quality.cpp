@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 
 #include <Eigen/Geometry>
 
@@ -72,15 +73,39 @@ std::array<Vec3, 4> corners_of(const QuadMesh& mesh, int quad) {
 
 std::vector<std::array<int, 2>> edges_of(const QuadMesh& mesh) {
   std::vector<std::array<int, 2>> edges;
-  edges.reserve(4 * mesh.quads.size());
-  for (const auto& quad : mesh.quads) {
-    for (int k = 0; k < 4; ++k) {
-      const auto [low, high] = std::minmax(quad[k], quad[(k + 1) % 4]);
-      edges.push_back({low, high});
+  for (const QuadEdge& edge : edges_with_quads(mesh)) edges.push_back(edge.vertices);
+  return edges;
+}
+
+std::vector<QuadEdge> edges_with_quads(const QuadMesh& mesh) {
+  // Sides of quads in buckets by their lower vertex: the higher one, and the quad.
+  std::vector<int> bucket(mesh.points.size() + 1, 0);
+  const auto for_sides = [&](auto visit) {
+    for (int q = 0; q < static_cast<int>(mesh.quads.size()); ++q) {
+      for (int k = 0; k < 4; ++k) {
+        const auto [low, high] = std::minmax(mesh.quads[q][k], mesh.quads[q][(k + 1) % 4]);
+        visit(low, high, q);
+      }
+    }
+  };
+  for_sides([&](int low, int, int) { ++bucket[low + 1]; });
+  std::partial_sum(bucket.begin(), bucket.end(), bucket.begin());
+  std::vector<std::array<int, 2>> sides(bucket.back());
+  std::vector<int> next(bucket.begin(), bucket.end() - 1);
+  for_sides([&](int low, int high, int q) { sides[next[low]++] = {high, q}; });
+  std::vector<QuadEdge> edges;
+  edges.reserve(sides.size());
+  for (int low = 0; low < static_cast<int>(mesh.points.size()); ++low) {
+    std::sort(sides.begin() + bucket[low], sides.begin() + bucket[low + 1]);
+    for (int i = bucket[low]; i < bucket[low + 1]; ++i) {
+      const auto [high, quad] = sides[i];
+      if (i > bucket[low] && sides[i - 1][0] == high) {
+        edges.back().quads[1] = quad;
+      } else {
+        edges.push_back({{low, high}, {quad, -1}});
+      }
     }
   }
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
   return edges;
 }
 

@@ -5,72 +5,55 @@
 #include <cstddef>
 #include <numeric>
 
-#include <CGAL/Bbox_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/box_intersection_d.h>
 
 #include "core/parallel.h"
+#include "surface/separation.h"
 
 namespace hexwall {
 namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_3;
-using Box =
-    CGAL::Box_intersection_d::Box_with_info_d<double, 3, int,
-                                              CGAL::Box_intersection_d::ID_FROM_BOX_ADDRESS>;
 using Pair = std::pair<int, int>;
-
-// Below as many boxes CGAL scans them instead of dividing them further: measured.
-constexpr std::ptrdiff_t cutoff = 1000;
-// Pairs of triangles whose boxes meet are looked at by as many at a time.
-constexpr std::size_t batch = std::size_t{1} << 20;
 
 /// Finds the pairs of triangles that meet, among those whose boxes do.
 class Finder {
  public:
-  explicit Finder(const TriangleSurface& surface) : triangles_(surface.triangles) {
+  explicit Finder(const TriangleSurface& surface) : surface_(surface), separation_(surface.points) {
     points_.reserve(surface.points.size());
     for (const Vec3& p : surface.points) points_.emplace_back(p.x(), p.y(), p.z());
   }
 
   std::vector<Pair> run(const std::vector<int>& among) {
-    std::vector<Box> boxes;
-    boxes.reserve(among.size());
+    std::vector<int> faces;
+    std::vector<Eigen::AlignedBox3d> boxes;
     for (const int f : among) {
-      const auto& [a, b, c] = triangles_[f];
+      const auto& [a, b, c] = surface_.triangles[f];
       if (CGAL::collinear(points_[a], points_[b], points_[c])) {
         found_.emplace_back(f, f);
-      } else {
-        boxes.emplace_back(points_[a].bbox() + points_[b].bbox() + points_[c].bbox(), f);
+        continue;
       }
+      faces.push_back(f);
+      boxes.emplace_back(surface_.points[a]);
+      boxes.back().extend(surface_.points[b]).extend(surface_.points[c]);
     }
-    std::vector<const Box*> order;
-    order.reserve(boxes.size());
-    for (const Box& box : boxes) order.push_back(&box);
-    CGAL::box_self_intersection_d(
-        order.begin(), order.end(),
-        [this](const Box* a, const Box* b) {
-          candidates_.emplace_back(std::min(a->info(), b->info()), std::max(a->info(), b->info()));
-          if (candidates_.size() == batch) look_at_candidates();
-        },
-        cutoff);
-    look_at_candidates();
+    for_box_pairs(boxes, [&](const std::vector<Pair>& pairs) { look_at(pairs, faces); });
     std::sort(found_.begin(), found_.end());
     return std::move(found_);
   }
 
  private:
-  void look_at_candidates() {
-    meets_.resize(candidates_.size());
-    parallel_for(candidates_.size(), [this](std::size_t i) {
-      const auto& [f, g] = candidates_[i];
-      meets_[i] = meet(triangles_[f], triangles_[g]) ? 1 : 0;
+  void look_at(const std::vector<Pair>& pairs, const std::vector<int>& faces) {
+    std::vector<char> meets(pairs.size());
+    parallel_for(pairs.size(), [&](std::size_t i) {
+      const auto& s = surface_.triangles[faces[pairs[i].first]];
+      const auto& t = surface_.triangles[faces[pairs[i].second]];
+      meets[i] = !separation_.is_certain(s, t) && meet(s, t) ? 1 : 0;
     });
-    for (std::size_t i = 0; i < candidates_.size(); ++i) {
-      if (meets_[i] != 0) found_.push_back(candidates_[i]);
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      if (meets[i] != 0) found_.emplace_back(faces[pairs[i].first], faces[pairs[i].second]);
     }
-    candidates_.clear();
   }
 
   // Anywhere but in common vertices and edges.
@@ -105,10 +88,10 @@ class Finder {
     return {points_[t[1]], points_[t[2]]};
   }
 
-  const std::vector<std::array<int, 3>>& triangles_;
+  const TriangleSurface& surface_;
+  Separation separation_;
   std::vector<Point> points_;
-  std::vector<Pair> candidates_, found_;
-  std::vector<char> meets_;
+  std::vector<Pair> found_;
 };
 
 }  // namespace

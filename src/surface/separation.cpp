@@ -1,0 +1,130 @@
+#include "surface/separation.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdlib>
+#include <limits>
+
+#include <CGAL/Bbox_3.h>
+#include <CGAL/box_intersection_d.h>
+
+namespace hexwall {
+namespace {
+
+using Box =
+    CGAL::Box_intersection_d::Box_with_info_d<double, 3, int,
+                                              CGAL::Box_intersection_d::ID_FROM_BOX_ADDRESS>;
+
+// Below as many boxes CGAL scans them instead of dividing them further: measured.
+constexpr std::ptrdiff_t cutoff = 1000;
+// As many pairs are looked at together.
+constexpr std::size_t batch = std::size_t{1} << 20;
+// Of the largest coordinate.
+constexpr double certain = 1e-10;
+
+/// Numbers of corners that two faces have in common, at most two, and whether these are next to
+/// each other in both.
+struct Shared {
+  std::array<int, 2> vertices{-1, -1};
+  int count = 0;
+  bool is_simple = true;
+};
+
+bool are_neighbours(std::ptrdiff_t i, std::ptrdiff_t j, std::size_t corners) {
+  const auto apart = static_cast<std::size_t>(std::abs(i - j));
+  return apart == 1 || apart + 1 == corners;
+}
+
+Shared shared_corners(std::span<const int> a, std::span<const int> b) {
+  Shared shared;
+  std::array<std::ptrdiff_t, 2> in_a{};
+  std::array<std::ptrdiff_t, 2> in_b{};
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const auto found = std::find(b.begin(), b.end(), a[i]);
+    if (found == b.end()) continue;
+    if (shared.count == 2) {
+      shared.is_simple = false;
+      return shared;
+    }
+    in_a[shared.count] = static_cast<std::ptrdiff_t>(i);
+    in_b[shared.count] = found - b.begin();
+    shared.vertices[shared.count++] = a[i];
+  }
+  shared.is_simple = shared.count < 2 || (are_neighbours(in_a[0], in_a[1], a.size()) &&
+                                          are_neighbours(in_b[0], in_b[1], b.size()));
+  return shared;
+}
+
+}  // namespace
+
+Separation::Separation(const std::vector<Vec3>& points) : points_(points) {
+  double largest = 0.0;
+  for (const Vec3& p : points) largest = std::max(largest, p.cwiseAbs().maxCoeff());
+  gap_ = certain * largest;
+}
+
+// The plane lies half way between the centres; through the common vertex or edge, if there is one,
+// and then half way between the directions from there.
+bool Separation::is_certain(std::span<const int> a, std::span<const int> b) const {
+  const Shared shared = shared_corners(a, b);
+  if (!shared.is_simple) return false;
+  const Vec3& origin = points_[shared.count > 0 ? shared.vertices[0] : a[0]];
+  const auto center = [&](std::span<const int> face) {
+    Vec3 sum = Vec3::Zero();
+    for (const int v : face) sum += points_[v] - origin;
+    return Vec3(sum / static_cast<double>(face.size()));
+  };
+  Vec3 toward_a = center(a);
+  Vec3 toward_b = center(b);
+  if (shared.count == 2) {
+    const Vec3 edge = (points_[shared.vertices[1]] - origin).normalized();
+    toward_a -= edge.dot(toward_a) * edge;
+    toward_b -= edge.dot(toward_b) * edge;
+  }
+  if (shared.count > 0) {
+    toward_a.normalize();
+    toward_b.normalize();
+  }
+  Vec3 normal = toward_a - toward_b;
+  if (shared.count == 0) normal.normalize();
+  double least_of_a = std::numeric_limits<double>::max();
+  double most_of_b = std::numeric_limits<double>::lowest();
+  const auto is_shared = [&](int v) { return v == shared.vertices[0] || v == shared.vertices[1]; };
+  for (const int v : a) {
+    if (!is_shared(v)) least_of_a = std::min(least_of_a, normal.dot(points_[v] - origin));
+  }
+  for (const int v : b) {
+    if (!is_shared(v)) most_of_b = std::max(most_of_b, normal.dot(points_[v] - origin));
+  }
+  if (shared.count == 0) return least_of_a - most_of_b > gap_;
+  return least_of_a > gap_ && most_of_b < -gap_;
+}
+
+void for_box_pairs(const std::vector<Eigen::AlignedBox3d>& boxes,
+                   const std::function<void(const std::vector<std::pair<int, int>>&)>& look) {
+  std::vector<Box> list;
+  list.reserve(boxes.size());
+  for (const Eigen::AlignedBox3d& box : boxes) {
+    const Vec3& low = box.min();
+    const Vec3& high = box.max();
+    list.emplace_back(CGAL::Bbox_3(low.x(), low.y(), low.z(), high.x(), high.y(), high.z()),
+                      static_cast<int>(list.size()));
+  }
+  std::vector<const Box*> order;
+  order.reserve(list.size());
+  for (const Box& box : list) order.push_back(&box);
+  std::vector<std::pair<int, int>> pairs;
+  CGAL::box_self_intersection_d(
+      order.begin(), order.end(),
+      [&](const Box* a, const Box* b) {
+        pairs.emplace_back(std::min(a->info(), b->info()), std::max(a->info(), b->info()));
+        if (pairs.size() < batch) return;
+        look(pairs);
+        pairs.clear();
+      },
+      cutoff);
+  look(pairs);
+}
+
+}  // namespace hexwall

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <functional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "surface/triangle_surface.h"
+
+namespace hexwall {
+
+/// A quick answer, most often, to whether two faces meet: planes that have one on either side.
+class Separation {
+ public:
+  explicit Separation(const std::vector<Vec3>& points);
+
+  /// Whether two triangles or quads certainly meet nowhere but in common vertices or the common
+  /// edge, whichever way a quad is split into two triangles. False says nothing.
+  /// \param a, b numbers of the corners in order.
+  bool is_certain(std::span<const int> a, std::span<const int> b) const;
+
+ private:
+  const std::vector<Vec3>& points_;
+  double gap_;  // what rounding leaves in doubt
+};
+
+/// Calls look(pairs) with the pairs of numbers of boxes that meet, the lower one first, some at a
+/// time and in no order.
+void for_box_pairs(const std::vector<Eigen::AlignedBox3d>& boxes,
+                   const std::function<void(const std::vector<std::pair<int, int>>&)>& look);
+
+}  // namespace hexwall
