@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -24,7 +26,8 @@ struct Sample {
 
 /// A mesh of the case, of a region or of all.
 struct FoamMesh {
-  const CellMesh& mesh;
+  std::shared_ptr<const CellMesh> mesh;
+  std::shared_ptr<const SharedFaces> faces;
   std::string region = {};                          ///< empty: the case's own
   std::map<std::string, Sample> mapped_walls = {};  ///< by patch
 
@@ -41,52 +44,60 @@ int count(const auto& container) {
   return static_cast<int>(container.size());
 }
 
+/// \param append_body called when the file is written.
 OutputFile mesh_file(const FoamMesh& target, std::string_view foam_class, std::string_view name,
-                     std::string body, const std::string& note = "") {
-  body.insert(0, foam_header(foam_class, target.folder(), name, note));
-  return {target.folder() + '/' + std::string(name), std::move(body)};
+                     std::function<void(Text&)> append_body, const std::string& note = "") {
+  return {target.folder() + '/' + std::string(name),
+          foam_header(foam_class, target.folder(), name, note), std::move(append_body)};
+}
+
+OutputFile mesh_file(const FoamMesh& target, std::string_view foam_class, std::string_view name,
+                     const std::string& body) {
+  return {target.folder() + '/' + std::string(name),
+          foam_header(foam_class, target.folder(), name) + body};
 }
 
 OutputFile points_file(const FoamMesh& target, double scale) {
-  const CellMesh& mesh = target.mesh;
-  Text text(64 * mesh.points.size() + 64);
-  text << count(mesh.points) << "\n(\n";
-  for (const Vec3& p : mesh.points)
-    text << '(' << scale * p.x() << ' ' << scale * p.y() << ' ' << scale * p.z() << ")\n";
-  text << ")\n";
-  return mesh_file(target, "vectorField", "points", text.take());
-}
-
-OutputFile faces_file(const FoamMesh& target, const SharedFaces& faces) {
-  Text text(40 * faces.faces.size() + 64);
-  text << count(faces.faces) << "\n(\n";
-  for (const SharedFace& face : faces.faces) {
-    const std::array<int, 4>& v = face.vertices;
-    text << corner_count(v) << '(' << v[0] << ' ' << v[1] << ' ' << v[2];
-    if (corner_count(v) == 4) text << ' ' << v[3];
+  return mesh_file(target, "vectorField", "points", [target, scale](Text& text) {
+    text << count(target.mesh->points) << "\n(\n";
+    for (const Vec3& p : target.mesh->points)
+      text << '(' << scale * p.x() << ' ' << scale * p.y() << ' ' << scale * p.z() << ")\n";
     text << ")\n";
-  }
-  text << ")\n";
-  return mesh_file(target, "faceList", "faces", text.take());
+  });
 }
 
-std::string size_note(const CellMesh& mesh, const SharedFaces& faces) {
+OutputFile faces_file(const FoamMesh& target) {
+  return mesh_file(target, "faceList", "faces", [faces = target.faces](Text& text) {
+    text << count(faces->faces) << "\n(\n";
+    for (const SharedFace& face : faces->faces) {
+      const std::array<int, 4>& v = face.vertices;
+      text << corner_count(v) << '(' << v[0] << ' ' << v[1] << ' ' << v[2];
+      if (corner_count(v) == 4) text << ' ' << v[3];
+      text << ")\n";
+    }
+    text << ")\n";
+  });
+}
+
+std::string size_note(const FoamMesh& target) {
   Text note(128);
-  note << "nPoints:" << count(mesh.points) << "  nCells:" << mesh.cells()
-       << "  nFaces:" << count(faces.faces) << "  nInternalFaces:" << faces.internal;
+  note << "nPoints:" << count(target.mesh->points) << "  nCells:" << target.mesh->cells()
+       << "  nFaces:" << count(target.faces->faces)
+       << "  nInternalFaces:" << target.faces->internal;
   return note.take();
 }
 
 /// The `owner` or the `neighbour` file.
-OutputFile labels_file(const FoamMesh& target, const SharedFaces& faces, bool of_neighbours,
-                       const std::string& note) {
-  const int n = of_neighbours ? faces.internal : count(faces.faces);
-  Text text(10 * faces.faces.size() + 64);
-  text << n << "\n(\n";
-  for (int i = 0; i < n; ++i)
-    text << (of_neighbours ? faces.faces[i].neighbour : faces.faces[i].owner) << '\n';
-  text << ")\n";
-  return mesh_file(target, "labelList", of_neighbours ? "neighbour" : "owner", text.take(), note);
+OutputFile labels_file(const FoamMesh& target, bool of_neighbours) {
+  const auto append_labels = [faces = target.faces, of_neighbours](Text& text) {
+    const int n = of_neighbours ? faces->internal : count(faces->faces);
+    text << n << "\n(\n";
+    for (int i = 0; i < n; ++i)
+      text << (of_neighbours ? faces->faces[i].neighbour : faces->faces[i].owner) << '\n';
+    text << ")\n";
+  };
+  return mesh_file(target, "labelList", of_neighbours ? "neighbour" : "owner", append_labels,
+                   size_note(target));
 }
 
 const std::string& checked_word(const std::string& name) {
@@ -113,11 +124,11 @@ void append_patch(const FoamMesh& target, const CellPatch& patch, int start, Tex
   text << "    }\n";
 }
 
-OutputFile boundary_file(const FoamMesh& target, const SharedFaces& faces) {
+OutputFile boundary_file(const FoamMesh& target) {
   Text text(1024);
-  int start = faces.internal;
-  text << count(target.mesh.patches) << "\n(\n";
-  for (const CellPatch& patch : target.mesh.patches) {
+  int start = target.faces->internal;
+  text << count(target.mesh->patches) << "\n(\n";
+  for (const CellPatch& patch : target.mesh->patches) {
     append_patch(target, patch, start, text);
     start += count(patch.faces);
   }
@@ -126,18 +137,18 @@ OutputFile boundary_file(const FoamMesh& target, const SharedFaces& faces) {
 }
 
 OutputFile zones_file(const FoamMesh& target) {
-  const CellMesh& mesh = target.mesh;
-  group_of_cells(mesh, mesh.zones);  // OpenFOAM wants zones that do not overlap
-  Text text(10 * mesh.shape.size() + 1024);
-  text << count(mesh.zones) << "\n(\n";
-  for (const CellGroup& zone : mesh.zones) {
-    text << checked_word(zone.name) << "\n{\n    type cellZone;\ncellLabels List<label>\n"
-         << count(zone.cells) << "\n(\n";
-    for (const int cell : zone.cells) text << cell << '\n';
-    text << ")\n;\n}\n";
-  }
-  text << ")\n";
-  return mesh_file(target, "regIOobject", "cellZones", text.take());
+  group_of_cells(*target.mesh, target.mesh->zones);  // OpenFOAM wants zones that do not overlap
+  for (const CellGroup& zone : target.mesh->zones) checked_word(zone.name);
+  return mesh_file(target, "regIOobject", "cellZones", [mesh = target.mesh](Text& text) {
+    text << count(mesh->zones) << "\n(\n";
+    for (const CellGroup& zone : mesh->zones) {
+      text << zone.name << "\n{\n    type cellZone;\ncellLabels List<label>\n"
+           << count(zone.cells) << "\n(\n";
+      for (const int cell : zone.cells) text << cell << '\n';
+      text << ")\n;\n}\n";
+    }
+    text << ")\n";
+  });
 }
 
 /// Numbers of a face zone's faces among the internal ones, and whether each faces its neighbour's
@@ -164,12 +175,12 @@ ZoneFaces zone_faces(const CellMesh& mesh, const CellPatch& zone, const SharedFa
   return result;
 }
 
-OutputFile face_zones_file(const FoamMesh& target, const SharedFaces& faces) {
-  const CellMesh& mesh = target.mesh;
+OutputFile face_zones_file(const FoamMesh& target) {
+  const CellMesh& mesh = *target.mesh;
   Text text(1024);
   text << count(mesh.face_zones) << "\n(\n";
   for (const CellPatch& zone : mesh.face_zones) {
-    const ZoneFaces of_zone = zone_faces(mesh, zone, faces);
+    const ZoneFaces of_zone = zone_faces(mesh, zone, *target.faces);
     text << checked_word(zone.name) << "\n{\n    type faceZone;\nfaceLabels List<label>\n"
          << count(of_zone.numbers) << "\n(\n";
     for (const int face : of_zone.numbers) text << face << '\n';
@@ -216,19 +227,22 @@ snGradSchemes        { default corrected; }
   files.push_back(foam_dictionary(folder, "fvSolution", "solvers {}\n"));
 }
 
-void append_mesh(const FoamMesh& target, double metres_per_unit, std::vector<OutputFile>& files) {
-  const CellMesh& mesh = target.mesh;
-  const SharedFaces faces = shared_faces(mesh);
-  const std::string note = size_note(mesh, faces);
+void append_mesh(std::shared_ptr<const CellMesh> mesh, const std::string& region,
+                 std::map<std::string, Sample> mapped_walls, double metres_per_unit,
+                 std::vector<OutputFile>& files) {
+  const auto faces = std::make_shared<const SharedFaces>(shared_faces(*mesh));
+  const FoamMesh target{std::move(mesh), faces, region, std::move(mapped_walls)};
   files.push_back(points_file(target, metres_per_unit));
-  files.push_back(faces_file(target, faces));
-  files.push_back(labels_file(target, faces, false, note));
-  files.push_back(labels_file(target, faces, true, note));
-  files.push_back(boundary_file(target, faces));
+  files.push_back(faces_file(target));
+  files.push_back(labels_file(target, false));
+  files.push_back(labels_file(target, true));
+  files.push_back(boundary_file(target));
   files.push_back(zones_file(target));
-  if (!mesh.face_zones.empty()) files.push_back(face_zones_file(target, faces));
-  if (mesh.regions.size() > 1) {
-    for (const CellGroup& region : mesh.regions) files.push_back(cell_set_file(target, region));
+  if (!target.mesh->face_zones.empty()) files.push_back(face_zones_file(target));
+  if (target.mesh->regions.size() > 1) {
+    for (const CellGroup& group : target.mesh->regions) {
+      files.push_back(cell_set_file(target, group));
+    }
   }
 }
 
@@ -241,9 +255,8 @@ void append_region(const CellMesh& mesh, int region, double metres_per_unit,
                    std::vector<OutputFile>& files) {
   const std::string& own = checked_word(mesh.regions[region].name);
   const std::string& other = checked_word(mesh.regions[1 - region].name);
-  const CellMesh part = region_mesh(mesh, region);
-  append_mesh({part, own, {{own + "_to_" + other, {other, other + "_to_" + own}}}}, metres_per_unit,
-              files);
+  append_mesh(std::make_shared<const CellMesh>(region_mesh(mesh, region)), own,
+              {{own + "_to_" + other, {other, other + "_to_" + own}}}, metres_per_unit, files);
   append_schemes("system/" + own, files);
 }
 
@@ -253,7 +266,8 @@ void write_openfoam(const std::filesystem::path& case_dir, const CellMesh& mesh,
                     double metres_per_unit) {
   check_unit(metres_per_unit);
   std::vector<OutputFile> files;
-  append_mesh({mesh}, metres_per_unit, files);
+  // Not owned: it outlives the writing.
+  append_mesh({std::shared_ptr<const CellMesh>(), &mesh}, "", {}, metres_per_unit, files);
   append_control(files);
   append_schemes("system", files);
   write_output_files(case_dir, files);

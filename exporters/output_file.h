@@ -1,9 +1,12 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "exporters/text.h"
 
 namespace hexwall {
 
@@ -12,10 +15,12 @@ namespace hexwall {
 /// \throw WriteError naming the path and the reason: no such folder, no permission, disk full.
 void write_output_file(const std::filesystem::path& path, std::string_view bytes);
 
-/// A file of a folder: its path below the folder and its content.
+/// A file of a folder: its path below the folder and its content, the end of which may be made
+/// while it is written, so that it is never in memory as a whole.
 struct OutputFile {
   std::string path;
   std::string bytes;
+  std::function<void(Text&)> append_rest = {};
 };
 
 /// Writes files that belong together into `folder`, which is made if missing, as are the folders in

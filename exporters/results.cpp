@@ -218,18 +218,17 @@ std::vector<DataArray> wall_cell_arrays(const PipelineResult& r) {
     cylinder.push_back(r.quads.cylinder[quad]);
     patch.push_back(r.quads.patch[quad]);
   }
-  return {{"cylinder", 1, std::move(cylinder)},
-          {"extension", 1, std::move(extension)},
-          {"patch", 1, std::move(patch)},
-          {"scaled_jacobian", 1, r.wall_scaled_jacobian}};
+  return {{"layer", 1, r.wall.layer},           {"quad", 1, r.wall.quad},
+          {"cylinder", 1, std::move(cylinder)}, {"extension", 1, std::move(extension)},
+          {"patch", 1, std::move(patch)},       {"scaled_jacobian", 1, r.wall_scaled_jacobian}};
 }
 
 std::vector<DataArray> wall_point_arrays(const PipelineResult& r) {
   return repeated_for_levels(thickness_arrays(r), r.layers.levels.size());
 }
 
-void write_wall(const std::filesystem::path& path, const PipelineResult& r) {
-  write_vtu(path, r.wall, wall_cell_arrays(r), wall_point_arrays(r));
+void write_wall(const std::filesystem::path& path, const PipelineResult& r, const CellMesh& cells) {
+  write_vtu(path, cells, wall_cell_arrays(r), wall_point_arrays(r));
 }
 
 }  // namespace hexwall

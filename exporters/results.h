@@ -22,7 +22,7 @@ PolyData quad_data(const PipelineResult& result);
 /// `basis.vtp`: f_i, omega_i (integrated) and phi_i = (x_i, y_i) of every basis form.
 PolyData basis_data(const PipelineResult& result);
 
-/// Arrays on the hexes of `wall.vtu`: cylinder, extension, patch, scaled Jacobian.
+/// Arrays on the hexes of `wall.vtu`: layer, quad, cylinder, extension, patch, scaled Jacobian.
 std::vector<DataArray> wall_cell_arrays(const PipelineResult& result);
 
 /// Arrays on its points: local radius, thickness asked and given.
@@ -36,6 +36,8 @@ PolyData separate_triangles(const TriangleSurface& surface);
 std::vector<double> form_at_corners(const FormSolution& solution, const HolomorphicForm& form);
 
 /// `wall.vtu`: the hexes with layer, zone, cylinder, patch and scaled Jacobian.
-void write_wall(const std::filesystem::path& path, const PipelineResult& result);
+/// \param cells `to_cell_mesh(result.wall)`
+void write_wall(const std::filesystem::path& path, const PipelineResult& result,
+                const CellMesh& cells);
 
 }  // namespace hexwall

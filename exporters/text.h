@@ -1,6 +1,8 @@
 #pragma once
 
 #include <charconv>
+#include <cstddef>
+#include <functional>
 #include <iterator>
 #include <string>
 #include <string_view>
@@ -8,31 +10,42 @@
 
 namespace hexwall {
 
-/// Text grown in place; numbers are the shortest that read back to the same value.
+/// Text grown in place, or passed on piece by piece; numbers are the shortest that read back to the
+/// same value.
 class Text {
  public:
+  using Sink = std::function<void(std::string_view)>;
+
   explicit Text(std::size_t expected_size) { text_.reserve(expected_size); }
+  /// `pass_on` must be called at the end.
+  explicit Text(Sink sink) : sink_(std::move(sink)) { text_.reserve(2 * piece); }
+
   Text& operator<<(std::string_view s) {
     text_.append(s);
+    if (sink_ && text_.size() >= piece) pass_on();
     return *this;
   }
-  Text& operator<<(char c) {
-    text_.push_back(c);
-    return *this;
-  }
+  Text& operator<<(char c) { return *this << std::string_view(&c, 1); }
   Text& operator<<(int value) { return number(value); }
   Text& operator<<(double value) { return number(value); }
   std::string take() { return std::move(text_); }
+  void pass_on() {
+    sink_(text_);
+    text_.clear();
+  }
 
  private:
+  static constexpr std::size_t piece = std::size_t{1} << 20;
+
   template <typename T>
   Text& number(T value) {
     char digits[32];
     const char* end = std::to_chars(std::begin(digits), std::end(digits), value).ptr;
-    text_.append(digits, static_cast<std::size_t>(end - digits));
-    return *this;
+    return *this << std::string_view(digits, static_cast<std::size_t>(end - digits));
   }
+
   std::string text_;
+  Sink sink_;
 };
 
 }  // namespace hexwall

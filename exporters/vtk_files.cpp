@@ -14,6 +14,7 @@
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 #include <vtkStringArray.h>
+#include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLPolyDataWriter.h>
 #include <vtkXMLUnstructuredGridWriter.h>
@@ -40,13 +41,18 @@ template <>
 struct VtkArrayOf<int> {
   using Type = vtkIntArray;
 };
+template <>
+struct VtkArrayOf<unsigned char> {
+  using Type = vtkUnsignedCharArray;
+};
 
+// VTK uses the values where they are: they must stay there until the file is written.
 template <typename T>
 auto to_vtk(const T* values, std::size_t count, int components) {
   auto array = vtkSmartPointer<typename VtkArrayOf<T>::Type>::New();
   array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(static_cast<vtkIdType>(count / components));
-  std::copy_n(values, count, array->GetPointer(0));
+  constexpr int keeps_hands_off = 1;
+  array->SetArray(const_cast<T*>(values), static_cast<vtkIdType>(count), keeps_hands_off);
   return array;
 }
 
@@ -121,13 +127,12 @@ FieldStrings names_of(const std::string& name, const std::vector<Named>& list) {
 }
 
 void set_cells(vtkUnstructuredGrid* grid, const CellMesh& mesh) {
-  std::vector<int> types;
-  types.reserve(mesh.shape.size());
-  for (const CellShape shape : mesh.shape) types.push_back(static_cast<int>(shape));
+  static_assert(sizeof(CellShape) == sizeof(unsigned char));
+  const auto* shapes = reinterpret_cast<const unsigned char*>(mesh.shape.data());
   auto cells = vtkSmartPointer<vtkCellArray>::New();
   cells->SetData(to_vtk(mesh.offset.data(), mesh.offset.size(), 1).Get(),
                  to_vtk(mesh.connectivity.data(), mesh.connectivity.size(), 1).Get());
-  grid->SetCells(types.data(), cells);
+  grid->SetCells(to_vtk(shapes, mesh.shape.size(), 1), cells);
 }
 
 std::vector<int> flattened(const CellFaceValues& values) {
@@ -137,13 +142,15 @@ std::vector<int> flattened(const CellFaceValues& values) {
   return flat;
 }
 
-void add_mesh_data(vtkUnstructuredGrid* grid, const CellMesh& mesh) {
-  const std::vector<DataArray> arrays{
+std::vector<DataArray> mesh_arrays(const CellMesh& mesh) {
+  return {
       {"zone", 1, group_of_cells(mesh, mesh.zones)},
       {"region", 1, group_of_cells(mesh, mesh.regions)},
       {"patch_of_face", 6, flattened(patch_of_faces(mesh))},
   };
-  add_arrays(grid->GetCellData(), arrays, mesh.shape.size());
+}
+
+void add_names(vtkUnstructuredGrid* grid, const CellMesh& mesh) {
   add_strings(grid, names_of("patch_names", mesh.patches));
   add_strings(grid, names_of("zone_names", mesh.zones));
   add_strings(grid, names_of("region_names", mesh.regions));
@@ -177,7 +184,9 @@ std::string vtu_bytes(const CellMesh& mesh, const std::vector<DataArray>& cell_a
   vtkNew<vtkUnstructuredGrid> grid;
   grid->SetPoints(to_vtk(mesh.points));
   set_cells(grid, mesh);
-  add_mesh_data(grid, mesh);
+  const std::vector<DataArray> of_mesh = mesh_arrays(mesh);
+  add_arrays(grid->GetCellData(), of_mesh, mesh.shape.size());
+  add_names(grid, mesh);
   add_arrays(grid->GetCellData(), cell_arrays, mesh.shape.size());
   add_arrays(grid->GetPointData(), point_arrays, mesh.points.size());
   return xml_bytes<vtkXMLUnstructuredGridWriter>(grid);

@@ -122,8 +122,6 @@ MeshResult::MeshResult(MeshOptions options, SurfaceRun run)
       point_arrays_(wall_point_arrays(run_.result)),
       quads_(quad_data(run_.result)) {
   run_.context.prepared = &run_.prepared;
-  cell_arrays_.push_back({"layer", 1, wall().layer});
-  cell_arrays_.push_back({"quad", 1, wall().quad});
   const CellMesh cells = to_cell_mesh(wall());
   cell_arrays_.push_back({"zone", 1, group_of_cells(cells, cells.zones)});
   cell_arrays_.push_back({"region", 1, group_of_cells(cells, cells.regions)});
