@@ -40,7 +40,7 @@ FaceGeometry face_geometry(std::span<const Vec3> face) {
   double weights = 0.0;
   for (std::size_t k = 0; k < face.size(); ++k) {
     const Vec3& a = face[k];
-    const Vec3& b = face[(k + 1) % face.size()];
+    const Vec3& b = face[k + 1 < face.size() ? k + 1 : 0];
     const Vec3 doubled_area = (b - a).cross(middle - a);
     const double weight = doubled_area.norm();
     result.area += 0.5 * doubled_area;

@@ -116,11 +116,6 @@ double corner_deficit(const Column& column, const std::vector<double>& levels, i
   return sum;
 }
 
-double squared(double x, int squarings) {
-  for (int i = 0; i < squarings; ++i) x *= x;
-  return x;
-}
-
 double skew(const Column& column) {
   const auto& p = column.base;
   double sum = 0.0;

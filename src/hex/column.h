@@ -54,7 +54,10 @@ inline bool has_face_tets(const Column& column, const std::vector<double>& level
 double corner_deficit(const Column& column, const std::vector<double>& levels, int squarings);
 
 /// x^(2^squarings).
-double squared(double x, int squarings);
+inline double squared(double x, int squarings) {
+  for (int i = 0; i < squarings; ++i) x *= x;
+  return x;
+}
 
 /// Sum of the squared cosines of the corner angles of the base.
 double skew(const Column& column);
