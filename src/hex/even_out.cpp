@@ -106,22 +106,26 @@ class Evener {
   void find_groups() {
     std::vector<char> is_waiting(least_edge_.size(), 0);
     for (const int v : vertices_) is_waiting[v] = 1;
-    for (const int first : vertices_) {
-      if (is_waiting[first] == 0) continue;
-      is_waiting[first] = 0;
-      std::vector<int> group{first};
-      for (std::size_t i = 0; i < group.size(); ++i) {
-        for (const int q : search_.columns_around(group[i])) {
-          for (const int v : search_.quads().quads[q]) {
-            if (is_waiting[v] == 0) continue;
-            is_waiting[v] = 0;
-            group.push_back(v);
-          }
-        }
-      }
-      std::sort(group.begin(), group.end());
-      groups_.push_back(std::move(group));
+    for (const int v : vertices_) {
+      if (is_waiting[v] != 0) groups_.push_back(group_of(v, is_waiting));
     }
+  }
+
+  std::vector<int> group_of(int first, std::vector<char>& is_waiting) const {
+    std::vector<int> group;
+    const auto take = [&](int v) {
+      if (is_waiting[v] != 0) group.push_back(v);
+      is_waiting[v] = 0;
+    };
+    take(first);
+    for (std::size_t i = 0; i < group.size(); ++i) {
+      for (const int q : search_.columns_around(group[i])) {
+        const auto& quad = search_.quads().quads[q];
+        std::for_each(quad.begin(), quad.end(), take);
+      }
+    }
+    std::sort(group.begin(), group.end());
+    return group;
   }
 
   std::vector<int> vertices_around_poor_columns() const {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdlib>
 #include <limits>
 
 #include <CGAL/Bbox_3.h>
@@ -23,36 +22,21 @@ constexpr std::size_t batch = std::size_t{1} << 20;
 // Of the largest coordinate.
 constexpr double certain = 1e-10;
 
-/// Numbers of corners that two faces have in common, at most two, and whether these are next to
-/// each other in both.
+/// Corners that two faces have in common.
 struct Shared {
-  std::array<int, 2> vertices{-1, -1};
+  std::array<int, 4> vertices{};
   int count = 0;
-  bool is_simple = true;
-};
 
-bool are_neighbours(std::ptrdiff_t i, std::ptrdiff_t j, std::size_t corners) {
-  const auto apart = static_cast<std::size_t>(std::abs(i - j));
-  return apart == 1 || apart + 1 == corners;
-}
+  bool has(int v) const {
+    return std::find(vertices.begin(), vertices.begin() + count, v) != vertices.begin() + count;
+  }
+};
 
 Shared shared_corners(std::span<const int> a, std::span<const int> b) {
   Shared shared;
-  std::array<std::ptrdiff_t, 2> in_a{};
-  std::array<std::ptrdiff_t, 2> in_b{};
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    const auto found = std::find(b.begin(), b.end(), a[i]);
-    if (found == b.end()) continue;
-    if (shared.count == 2) {
-      shared.is_simple = false;
-      return shared;
-    }
-    in_a[shared.count] = static_cast<std::ptrdiff_t>(i);
-    in_b[shared.count] = found - b.begin();
-    shared.vertices[shared.count++] = a[i];
+  for (const int v : a) {
+    if (std::find(b.begin(), b.end(), v) != b.end()) shared.vertices[shared.count++] = v;
   }
-  shared.is_simple = shared.count < 2 || (are_neighbours(in_a[0], in_a[1], a.size()) &&
-                                          are_neighbours(in_b[0], in_b[1], b.size()));
   return shared;
 }
 
@@ -64,11 +48,11 @@ Separation::Separation(const std::vector<Vec3>& points) : points_(points) {
   gap_ = certain * largest;
 }
 
-// The plane lies half way between the centres; through the common vertex or edge, if there is one,
-// and then half way between the directions from there.
+// The plane lies half way between the centres; through the common vertex or two, if there are, and
+// then half way between the directions from there.
 bool Separation::is_certain(std::span<const int> a, std::span<const int> b) const {
   const Shared shared = shared_corners(a, b);
-  if (!shared.is_simple) return false;
+  if (shared.count > 2) return false;
   const Vec3& origin = points_[shared.count > 0 ? shared.vertices[0] : a[0]];
   const auto center = [&](std::span<const int> face) {
     Vec3 sum = Vec3::Zero();
@@ -90,12 +74,11 @@ bool Separation::is_certain(std::span<const int> a, std::span<const int> b) cons
   if (shared.count == 0) normal.normalize();
   double least_of_a = std::numeric_limits<double>::max();
   double most_of_b = std::numeric_limits<double>::lowest();
-  const auto is_shared = [&](int v) { return v == shared.vertices[0] || v == shared.vertices[1]; };
   for (const int v : a) {
-    if (!is_shared(v)) least_of_a = std::min(least_of_a, normal.dot(points_[v] - origin));
+    if (!shared.has(v)) least_of_a = std::min(least_of_a, normal.dot(points_[v] - origin));
   }
   for (const int v : b) {
-    if (!is_shared(v)) most_of_b = std::max(most_of_b, normal.dot(points_[v] - origin));
+    if (!shared.has(v)) most_of_b = std::max(most_of_b, normal.dot(points_[v] - origin));
   }
   if (shared.count == 0) return least_of_a - most_of_b > gap_;
   return least_of_a > gap_ && most_of_b < -gap_;

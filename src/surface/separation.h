@@ -16,8 +16,8 @@ class Separation {
  public:
   explicit Separation(const std::vector<Vec3>& points);
 
-  /// Whether two triangles or quads certainly meet nowhere but in common vertices or the common
-  /// edge, whichever way a quad is split into two triangles. False says nothing.
+  /// Whether two triangles or quads certainly meet nowhere but in common vertices or on the line
+  /// between two of them, whichever way a quad is split into two triangles. False says nothing.
   /// \param a, b numbers of the corners in order.
   bool is_certain(std::span<const int> a, std::span<const int> b) const;
 

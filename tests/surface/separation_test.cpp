@@ -1,0 +1,121 @@
+// Planes between faces: never where these meet, and nearly always where they don't.
+
+#include "surface/separation.h"
+
+#include <algorithm>
+#include <array>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "surface/generate.h"
+#include "surface/self_intersection.h"
+
+namespace hexwall {
+namespace {
+
+class MeetingFaces : public testing::Test {
+ protected:
+  double number(double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random_);
+  }
+  Vec3 place() { return {number(-1, 1), number(-1, 1), number(-1, 1)}; }
+
+  // The third corner of a triangle of which `inside` is an inner point.
+  Vec3 third_corner(const Vec3& a, const Vec3& b, const Vec3& inside) {
+    const double of_a = number(0.1, 0.4);
+    const double of_b = number(0.1, 0.4);
+    return (inside - of_a * a - of_b * b) / (1.0 - of_a - of_b);
+  }
+
+  std::mt19937_64 random_{1};
+};
+
+TEST_F(MeetingFaces, AreNotSeparatedWithoutACommonVertex) {
+  for (int i = 0; i < 2000; ++i) {
+    const Vec3 common = place();
+    std::vector<Vec3> points{place(), place(), Vec3(), place(), place(), Vec3()};
+    points[2] = third_corner(points[0], points[1], common);
+    points[5] = third_corner(points[3], points[4], common);
+    const std::array<int, 3> a{0, 1, 2};
+    const std::array<int, 3> b{3, 4, 5};
+    EXPECT_FALSE(Separation(points).is_certain(a, b)) << i;
+  }
+}
+
+TEST_F(MeetingFaces, AreNotSeparatedAtACommonVertex) {
+  for (int i = 0; i < 2000; ++i) {
+    const Vec3 common = place();
+    std::vector<Vec3> points{place(), place(), Vec3(), place(), Vec3()};
+    points[2] = third_corner(points[0], points[1], common);
+    points[4] = third_corner(points[0], points[3], common);
+    const std::array<int, 3> a{0, 1, 2};
+    const std::array<int, 3> b{3, 4, 0};
+    EXPECT_FALSE(Separation(points).is_certain(a, b)) << i;
+  }
+}
+
+// Two quads with the edge 0-1, each with a triangle of one way to split it through one place.
+TEST_F(MeetingFaces, AreNotSeparatedAtACommonEdge) {
+  for (int i = 0; i < 2000; ++i) {
+    const Vec3 common = place();
+    std::vector<Vec3> points{place(), place(), place(), Vec3(), place(), Vec3()};
+    points[3] = third_corner(points[1], points[2], common);
+    points[5] = third_corner(points[i % 2], points[4], common);
+    const std::array<int, 4> a{0, 1, 2, 3};
+    const std::array<int, 4> b{1, 0, 4, 5};
+    EXPECT_FALSE(Separation(points).is_certain(a, b)) << i;
+  }
+}
+
+TEST_F(MeetingFaces, AreNotSeparatedIfAQuadTouchesAcross) {
+  const std::vector<Vec3> points{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {2, 0, 1}, {0, 2, 1}};
+  const std::array<int, 4> a{0, 1, 2, 3};
+  const std::array<int, 4> b{1, 4, 3, 5};  // has corners in common that are not next to each other
+  EXPECT_FALSE(Separation(points).is_certain(a, b));
+}
+
+TEST(Separation, IsCertainOfNeighboursOnASmoothSurface) {
+  const TriangleSurface surface = cylinder(1.0, 4.0, 40, 26);
+  const Separation separation(surface.points);
+  std::vector<Eigen::AlignedBox3d> boxes(surface.triangles.size());
+  for (std::size_t f = 0; f < boxes.size(); ++f) {
+    for (const int v : surface.triangles[f]) boxes[f].extend(surface.points[v]);
+  }
+  std::size_t pairs = 0;
+  for_box_pairs(boxes, [&](const std::vector<std::pair<int, int>>& some) {
+    pairs += some.size();
+    for (const auto& [f, g] : some) {
+      EXPECT_TRUE(separation.is_certain(surface.triangles[f], surface.triangles[g]));
+    }
+  });
+  EXPECT_GE(pairs, 6 * surface.triangles.size() - 1000);  // twelve neighbours each, but at the ends
+  EXPECT_TRUE(self_intersections(surface).empty());
+}
+
+// The same pairs as each box tried against each other one.
+TEST(BoxPairs, AreAllThatMeet) {
+  std::mt19937_64 random(2);
+  std::uniform_real_distribution<double> number(0.0, 1.0);
+  std::vector<Eigen::AlignedBox3d> boxes;
+  for (int i = 0; i < 3000; ++i) {
+    const Vec3 low(number(random), number(random), number(random));
+    boxes.emplace_back(low, low + 0.1 * Vec3(number(random), number(random), number(random)));
+  }
+  std::vector<std::pair<int, int>> expected;
+  for (int i = 0; i < 3000; ++i) {
+    for (int j = i + 1; j < 3000; ++j) {
+      if (boxes[i].intersects(boxes[j])) expected.emplace_back(i, j);
+    }
+  }
+  std::vector<std::pair<int, int>> found;
+  for_box_pairs(boxes, [&](const std::vector<std::pair<int, int>>& some) {
+    found.insert(found.end(), some.begin(), some.end());
+  });
+  std::sort(found.begin(), found.end());
+  EXPECT_EQ(found, expected);
+  EXPECT_GT(found.size(), 1000U);
+}
+
+}  // namespace
+}  // namespace hexwall
