@@ -11,21 +11,27 @@ namespace hexwall {
 using Path = std::filesystem::path;
 
 const std::vector<Format>& hex_mesh_formats() {
-  using Result = const PipelineResult&;
-  using Cells = const CellMesh&;
   static const std::vector<Format> formats{
       {"vtu", "wall.vtu",
-       [](const Path& path, Result r, Cells cells, double) { write_wall(path, r, cells); }},
+       [](const Path& path, const PipelineResult& r, const CellMesh& cells, double) {
+         write_wall(path, r, cells);
+       }},
       {"openfoam", "openfoam",
-       [](const Path& path, Result, Cells cells, double metres_per_unit) {
+       [](const Path& path, const PipelineResult&, const CellMesh& cells, double metres_per_unit) {
          write_openfoam(path, cells, metres_per_unit);
        }},
       {"abaqus", "wall.inp",
-       [](const Path& path, Result r, Cells, double) { write_abaqus(path, r.wall); }},
+       [](const Path& path, const PipelineResult& r, const CellMesh&, double) {
+         write_abaqus(path, r.wall);
+       }},
       {"gmsh", "wall.msh",
-       [](const Path& path, Result, Cells cells, double) { write_gmsh(path, cells); }},
+       [](const Path& path, const PipelineResult&, const CellMesh& cells, double) {
+         write_gmsh(path, cells);
+       }},
       {"svmultiphysics", "mesh-complete",
-       [](const Path& path, Result r, Cells, double) { write_svmultiphysics(path, r.wall); }},
+       [](const Path& path, const PipelineResult& r, const CellMesh&, double) {
+         write_svmultiphysics(path, r.wall);
+       }},
   };
   return formats;
 }

@@ -13,7 +13,7 @@ namespace hexwall {
 struct Format {
   std::string name;    ///< in `--write`
   std::string output;  ///< the file or folder it is written to
-  /// \param cells `to_cell_mesh(result.wall)`, once for all formats
+  /// \param cells `to_cell_mesh(result.wall)`
   /// \param metres_per_unit length of the result's unit in metres
   void (*write)(const std::filesystem::path& path, const PipelineResult& result,
                 const CellMesh& cells, double metres_per_unit);

@@ -1,6 +1,7 @@
 #include "exporters/openfoam.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <map>
@@ -8,6 +9,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "core/errors.h"
 #include "exporters/foam_file.h"
@@ -58,9 +60,9 @@ OutputFile mesh_file(const FoamMesh& target, std::string_view foam_class, std::s
 }
 
 OutputFile points_file(const FoamMesh& target, double scale) {
-  return mesh_file(target, "vectorField", "points", [target, scale](Text& text) {
-    text << count(target.mesh->points) << "\n(\n";
-    for (const Vec3& p : target.mesh->points)
+  return mesh_file(target, "vectorField", "points", [mesh = target.mesh, scale](Text& text) {
+    text << count(mesh->points) << "\n(\n";
+    for (const Vec3& p : mesh->points)
       text << '(' << scale * p.x() << ' ' << scale * p.y() << ' ' << scale * p.z() << ")\n";
     text << ")\n";
   });

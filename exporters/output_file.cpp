@@ -2,7 +2,6 @@
 
 #include <cerrno>
 #include <cstdio>
-#include <memory>
 #include <string>
 #include <system_error>
 #include <unistd.h>
@@ -98,7 +97,7 @@ void write_output_files(const std::filesystem::path& folder, const std::vector<O
       make_folder((folder / file.path).parent_path());
       write_file(folder / file.path, file.bytes, file.append_rest);
     }
-  } catch (const WriteError&) {
+  } catch (...) {
     std::error_code ignored;
     for (const OutputFile& file : files) std::filesystem::remove(folder / file.path, ignored);
     throw;

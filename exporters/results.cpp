@@ -218,9 +218,14 @@ std::vector<DataArray> wall_cell_arrays(const PipelineResult& r) {
     cylinder.push_back(r.quads.cylinder[quad]);
     patch.push_back(r.quads.patch[quad]);
   }
-  return {{"layer", 1, r.wall.layer},           {"quad", 1, r.wall.quad},
-          {"cylinder", 1, std::move(cylinder)}, {"extension", 1, std::move(extension)},
-          {"patch", 1, std::move(patch)},       {"scaled_jacobian", 1, r.wall_scaled_jacobian}};
+  std::vector<DataArray> arrays;
+  arrays.push_back({"layer", 1, r.wall.layer});
+  arrays.push_back({"quad", 1, r.wall.quad});
+  arrays.push_back({"cylinder", 1, std::move(cylinder)});
+  arrays.push_back({"extension", 1, std::move(extension)});
+  arrays.push_back({"patch", 1, std::move(patch)});
+  arrays.push_back({"scaled_jacobian", 1, r.wall_scaled_jacobian});
+  return arrays;
 }
 
 std::vector<DataArray> wall_point_arrays(const PipelineResult& r) {

@@ -17,7 +17,7 @@ class Text {
   using Sink = std::function<void(std::string_view)>;
 
   explicit Text(std::size_t expected_size) { text_.reserve(expected_size); }
-  /// `pass_on` must be called at the end.
+  /// What it passes on is lost to `take`. `pass_on` must be called at the end.
   explicit Text(Sink sink) : sink_(std::move(sink)) { text_.reserve(2 * piece); }
 
   Text& operator<<(std::string_view s) {

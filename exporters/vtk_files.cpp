@@ -1,7 +1,5 @@
 #include "exporters/vtk_files.h"
 
-#include <algorithm>
-
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
@@ -51,8 +49,8 @@ template <typename T>
 auto to_vtk(const T* values, std::size_t count, int components) {
   auto array = vtkSmartPointer<typename VtkArrayOf<T>::Type>::New();
   array->SetNumberOfComponents(components);
-  constexpr int keeps_hands_off = 1;
-  array->SetArray(const_cast<T*>(values), static_cast<vtkIdType>(count), keeps_hands_off);
+  constexpr int caller_keeps_it = 1;
+  array->SetArray(const_cast<T*>(values), static_cast<vtkIdType>(count), caller_keeps_it);
   return array;
 }
 
@@ -143,11 +141,11 @@ std::vector<int> flattened(const CellFaceValues& values) {
 }
 
 std::vector<DataArray> mesh_arrays(const CellMesh& mesh) {
-  return {
-      {"zone", 1, group_of_cells(mesh, mesh.zones)},
-      {"region", 1, group_of_cells(mesh, mesh.regions)},
-      {"patch_of_face", 6, flattened(patch_of_faces(mesh))},
-  };
+  std::vector<DataArray> arrays;
+  arrays.push_back({"zone", 1, group_of_cells(mesh, mesh.zones)});
+  arrays.push_back({"region", 1, group_of_cells(mesh, mesh.regions)});
+  arrays.push_back({"patch_of_face", 6, flattened(patch_of_faces(mesh))});
+  return arrays;
 }
 
 void add_names(vtkUnstructuredGrid* grid, const CellMesh& mesh) {

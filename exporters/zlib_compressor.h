@@ -10,8 +10,8 @@ namespace hexwall {
 
 // NOLINTBEGIN(readability-identifier-naming): VTK's names
 
-/// VTK's compressor to zlib's format, with libdeflate in the place of zlib: faster and smaller. It
-/// keeps the name of VTK's class, which files carry. The level holds from the first buffer on.
+/// VTK's compressor to zlib's format, with libdeflate in the place of zlib: twice as fast. It keeps
+/// the name of VTK's class, which files carry. The level, 0 … 12, must be set before its first use.
 class ZlibCompressor : public vtkZLibDataCompressor {
  public:
   static ZlibCompressor* New();

@@ -20,8 +20,8 @@ namespace hexwall {
 namespace {
 
 constexpr double default_quad_count = 20000.0;
-// The default size gives each opening so many quads around, fewer of which would be folded, as long
-// as that does not take this many times as many quads.
+// The default size is smaller where an opening would have fewer quads around than this, which fold,
+// but never so small that there would be more in all.
 constexpr double least_quads_around = 9.0;
 constexpr double most_default_quads = 4.0 * default_quad_count;
 // Conformal sizes beyond this ratio to the target are met near zeros and in blind sacs, where the

@@ -59,7 +59,7 @@ void add_surface_options(CLI::App& command, SurfaceCommandOptions& c) {
   command.add_option("-o,--output", c.output, "Folder for the results")->required();
   command.add_option(
       "--size", c.size,
-      "Target quad edge length, in input units [sqrt(area / 20000), less for thin branches]");
+      "Target quad edge length, in input units [sqrt(area / 20000), less for narrow openings]");
   command
       .add_option("--stretch", c.stretch,
                   "Length of the quads along the vessel over their width around it")

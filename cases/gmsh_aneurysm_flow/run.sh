@@ -2,6 +2,8 @@
 # Steady flow in the aneurysm of Debian's gmsh-doc at Re 300, on hybrid meshes and on tetrahedra of
 # several sizes. All have the same flow rate: at the same Re, meshes whose polygons cut off more of
 # the inlet would get less.
+#
+#   run.sh [FOLDER [FINEST]]     # sizes in mm down to FINEST, 0.85 unless given
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 
@@ -10,6 +12,7 @@ aneurysm=/usr/share/doc/gmsh-doc/doc/gmsh/demos/api/aneurysm_data.stl.gz
 if [[ ! -f $aneurysm ]]; then
   aneurysm=build/demo/gmsh-doc$aneurysm # where tools/demo.sh puts it if /usr/share/doc is left out
 fi
+finest=${2:-0.85}
 mkdir -p "$out"
 gzip -dc "$aneurysm" > "$out/aneurysm.stl"
 
@@ -24,12 +27,11 @@ run() {
   build/hexwall shear "$folder" -o "$folder"
 }
 
-for size in 2.4 2 1.5 1.2 1 0.85; do
+for size in 2.4 2 1.5 1.2 1 0.85 0.7 0.6; do
+  if awk "BEGIN { exit !($size < $finest) }"; then break; fi
   run hybrid $size --layers 10 --growth 1.2 --thickness-ratio 0.3
-done
-for size in 2 1.5 1.2 1 0.85; do
-  run tet $size
+  if [[ $size != 2.4 ]]; then run tet $size; fi
 done
 /usr/bin/python3 cases/gmsh_aneurysm_flow/compare.py "$out"
-xvfb-run -a build/hexwall-picture "$out/hybrid_0.85/wall.vtp" -o "$out/shear.png" --array wss \
+xvfb-run -a build/hexwall-picture "$out/hybrid_$finest/wall.vtp" -o "$out/shear.png" --array wss \
   --range 0,2 --view=0.2,-1,0.2 --size 1000x700

@@ -34,9 +34,9 @@ class ColumnSearch {
   void turn_rings() { turn_ += 2.4; }
 
   /// Takes the cheapest of a ring of moves and a ring of tilts, `step` times the widest ones, if it
-  /// is allowed and cheaper than what there is. \return whether it took one.
-  /// \param cost_around of the columns around a vertex as they are now; where it reaches the limit,
-  /// its second argument, any value from that on will do.
+  /// is allowed and cheaper than what there is. \return whether it took one. May run in parallel
+  /// for vertices that have no quad in common. \param cost_around of the columns around a vertex as
+  /// they are now; where it reaches the limit, its second argument, any value from that on will do.
   /// \param is_allowed whether they may stay as they are now; asked only when they are cheaper.
   bool improve(int v, double step, const std::function<double(int, double)>& cost_around,
                const std::function<bool(int)>& is_allowed);

@@ -73,9 +73,11 @@ std::vector<int> Skin::in_doubt(const std::vector<Vec3>& points,
 std::vector<int> Skin::collisions_of(const std::vector<Vec3>& points,
                                      const std::vector<int>& faces) const {
   const std::vector<int> doubtful = in_doubt(points, faces);
+  if (doubtful.empty()) return {};
+  TriangleSurface surface{points, {}};
   for (const int diagonal : {0, 1}) {
     throw_if_cancelled();
-    TriangleSurface surface{points, {}};
+    surface.triangles.clear();
     for (const int face : doubtful) {
       const auto at = [&](int k) { return faces_[face].vertices[(k + diagonal) % 4]; };
       surface.triangles.push_back({at(0), at(1), at(2)});

@@ -16,8 +16,8 @@ class Skin {
   Skin(const QuadMesh& quads, const std::vector<Vec3>& directions, Side side);
 
   /// Quads whose faces meet other faces anywhere but in common vertices and edges, however faces
-  /// are split into two triangles: decided with exact predicates for either way, and for the second
-  /// one only where the first finds nothing. Sorted. \param thickness #V
+  /// are split into two triangles: decided like `self_intersections` for either way, and for the
+  /// second one only where the first finds nothing. Sorted. \param thickness #V
   std::vector<int> collisions(const std::vector<double>& thickness) const;
 
   /// The same among the faces of some quads only. \param among sorted.

@@ -10,8 +10,6 @@
 namespace hexwall {
 namespace {
 
-// Up to here the n^4 coefficients cost less than the triangles they replace.
-constexpr int largest_quartic = 30;
 // Their sums are taken over as many triangles of the input at a time.
 constexpr Eigen::Index chunk = 4096;
 

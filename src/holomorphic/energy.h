@@ -43,8 +43,11 @@ struct AreaEnergyInput {
   const Eigen::VectorXd& rho;           ///< #parent sizing weight, 1 = uniform
 };
 
+/// Up to as many unknowns the n^4 coefficients cost less than the triangles they replace.
+inline constexpr int largest_quartic = 30;
+
 /// All coefficients of the quartic, gathered in one pass over the triangles: an evaluation costs
-/// O(n^4), whatever the number of triangles. For n up to about 30.
+/// O(n^4), whatever the number of triangles. For n up to `largest_quartic`.
 std::unique_ptr<AreaEnergy> quartic_energy(const AreaEnergyInput& input);
 
 /// The same energy evaluated triangle by triangle, O(#F n) for a value. For large n.

@@ -28,10 +28,11 @@ constexpr double left_out_radius = 0.35;
 // With so many forms all sign patterns of the others are tried for each candidate; above, the
 // charge joins the pattern that was best without it.
 constexpr int exhaustive_forms = 3;
-// With more forms than this, a charge joins the optimum and the forms of so many loops only: those
-// that take most of its flux. What it changes at the others hardly matters.
-constexpr int all_forms = 30;
-constexpr int loops_of_charge = 8;
+// With more forms than this, which with two charges are too many for a quartic, charges join the
+// optimum and so many forms only: those of the loops that take most of their flux. What they change
+// at the others hardly matters.
+constexpr int all_forms = largest_quartic - 2;
+constexpr int nearest_forms = 8;
 // Candidates are compared by their energy on about as many triangles, evenly taken from all: enough
 // to rank them, and the energy of a pole that is placed is computed on all.
 constexpr int judged_triangles = 4000;
@@ -160,57 +161,58 @@ class Judge {
     return -(u + s_.basis.f * s_.basis.capacity.llt().solve(harmonic_measure));
   }
 
-  /// What charges join: potentials, minima of the energy in them, and from which one on they are
-  /// those of single loops.
-  struct Background {
-    Eigen::MatrixXd g;
-    std::vector<Eigen::VectorXd> minima;
-    Eigen::Index first_loop = 0;
+  /// What the energy of some charges is made of.
+  struct Trial {
+    Eigen::MatrixXd g;                    ///< potentials: those that the charges join, then theirs
+    std::vector<Eigen::VectorXd> minima;  ///< in the former, to begin with
+    Eigen::Index first_form = 0;          ///< of the former, the first one that is of a single loop
+    Eigen::Index charges = 0;
   };
 
-  Background background(const std::vector<int>& vertices) const {
-    Background result;
+  Trial trial_with(const std::vector<int>& vertices, const Eigen::MatrixXd& potentials) const {
+    Trial trial;
+    trial.charges = potentials.cols();
     if (s_.basis.size() > all_forms) {
-      const std::vector<int> loops = loops_of(vertices);
-      result.first_loop = 1;
-      result.g.resize(g_.rows(), 1 + loops_of_charge);
-      result.g.col(0) = optimum_;
-      for (int i = 0; i < loops_of_charge; ++i) result.g.col(1 + i) = g_.col(loops[i]);
-      result.minima.emplace_back(Eigen::VectorXd::Unit(result.g.cols(), 0));
-      return result;
+      trial.first_form = 1;
+      trial.g.resize(g_.rows(), 1 + nearest_forms + potentials.cols());
+      trial.g.col(0) = optimum_;
+      const std::vector<int> forms = forms_near(vertices);
+      for (int i = 0; i < nearest_forms; ++i) trial.g.col(1 + i) = g_.col(forms[i]);
+      trial.g.rightCols(potentials.cols()) = potentials;
+      trial.minima.emplace_back(Eigen::VectorXd::Unit(1 + nearest_forms, 0));
+      return trial;
     }
-    result.g = g_;
+    trial.g.resize(g_.rows(), g_.cols() + potentials.cols());
+    trial.g << g_, potentials;
     if (s_.basis.size() > exhaustive_forms) {
-      result.minima.push_back(s_.optimum.descents[s_.optimum.best].lambda);
+      trial.minima.push_back(s_.optimum.descents[s_.optimum.best].lambda);
     } else {
-      for (const Descent& descent : s_.optimum.descents) result.minima.push_back(descent.lambda);
+      for (const Descent& descent : s_.optimum.descents) trial.minima.push_back(descent.lambda);
     }
-    return result;
+    return trial;
   }
 
-  // The loops with the greatest harmonic measure seen from the vertices.
-  std::vector<int> loops_of(const std::vector<int>& vertices) const {
+  // The forms of the loops with the greatest harmonic measure seen from the vertices.
+  std::vector<int> forms_near(const std::vector<int>& vertices) const {
     Eigen::VectorXd measure = Eigen::VectorXd::Zero(s_.basis.size());
     for (const int v : vertices) measure += s_.basis.f.row(v).transpose();
-    std::vector<int> loops(s_.basis.size());
-    std::iota(loops.begin(), loops.end(), 0);
-    std::stable_sort(loops.begin(), loops.end(),
+    std::vector<int> forms(s_.basis.size());
+    std::iota(forms.begin(), forms.end(), 0);
+    std::stable_sort(forms.begin(), forms.end(),
                      [&](int a, int b) { return measure[a] > measure[b]; });
-    loops.resize(loops_of_charge);
-    return loops;
+    forms.resize(nearest_forms);
+    return forms;
   }
 
   Judgement judge_one(const std::vector<int>& vertices, const Eigen::MatrixXd& potentials) const {
-    const Background without = background(vertices);
-    Eigen::MatrixXd g(g_.rows(), without.g.cols() + potentials.cols());
-    g << without.g, potentials;
+    const Trial trial = trial_with(vertices, potentials);
     const std::vector<int> faces = faces_away_from(vertices);
     const auto energy =
-        area_energy({s_.refined.surface, faces, static_cast<int>(rho_.size()), g, rho_});
-    const Descent best = best_descent(*energy, without);
+        area_energy({s_.refined.surface, faces, static_cast<int>(rho_.size()), trial.g, rho_});
+    const Descent best = best_descent(*energy, trial);
     // Where the neighbourhood left out is all of the surface, there is no energy to descend.
     Judgement judgement{vertices, best.energy, {}};
-    for (Eigen::Index i = without.g.cols(); i < best.lambda.size(); ++i) {
+    for (Eigen::Index i = trial.g.cols() - trial.charges; i < best.lambda.size(); ++i) {
       judgement.circumferences.push_back(std::abs(best.lambda[i]));
     }
     return judgement;
@@ -267,10 +269,10 @@ class Judge {
   };
 
   // One charge joins a minimum without it; its flux leaves through each of the loops in turn.
-  void add_to_minimum(const Eigen::VectorXd& minimum, Eigen::Index first_loop,
+  void add_to_minimum(const Eigen::VectorXd& minimum, Eigen::Index first_form,
                       Starts& starts) const {
     const Eigen::Index n = minimum.size();
-    for (Eigen::Index loop = first_loop; loop <= n; ++loop) {
+    for (Eigen::Index loop = first_form; loop <= n; ++loop) {
       for (const double sign : {1.0, -1.0}) {
         const double charge = sign * 2.0 * std::numbers::pi * left_out_;
         Eigen::VectorXd lambda(n + 1);
@@ -292,20 +294,19 @@ class Judge {
 
   // Starts are the minima without the charges, and with few loops all patterns of signs, the
   // charges as strong as the region is wide; descents begin at the best of them.
-  Descent best_descent(const AreaEnergy& energy, const Background& without) const {
+  Descent best_descent(const AreaEnergy& energy, const Trial& trial) const {
     Starts starts(energy);
-    const auto charges = energy.size() - without.g.cols();
     const bool few = s_.basis.size() <= exhaustive_forms;
     if (few) {
       std::vector<double> lengths = lengths_;
-      lengths.resize(lengths.size() + charges - 1, lengths_.back());
+      lengths.resize(lengths.size() + trial.charges - 1, lengths_.back());
       for_sign_patterns(static_cast<int>(lengths.size()), [&](const std::vector<int>& signs) {
         starts.add(balanced_start(signs, lengths, s_.basis.exterior));
       });
     }
-    for (const Eigen::VectorXd& minimum : without.minima) {
-      if (charges == 1) {
-        add_to_minimum(minimum, without.first_loop, starts);
+    for (const Eigen::VectorXd& minimum : trial.minima) {
+      if (trial.charges == 1) {
+        add_to_minimum(minimum, trial.first_form, starts);
       } else {
         add_pair_to_minimum(minimum, starts);
       }

@@ -37,12 +37,13 @@ QuadQuality quad_quality(const QuadMesh& mesh, const std::vector<double>& target
 /// Distinct edges as vertex pairs, the lower number first, in lexicographic order.
 std::vector<std::array<int, 2>> edges_of(const QuadMesh& mesh);
 
+/// An edge with the quads beside it.
 struct QuadEdge {
   std::array<int, 2> vertices;  ///< the lower number first
   std::array<int, 2> quads;     ///< on both sides in ascending order, the second -1 on a loop
 };
 
-/// The same edges with the quads beside them.
+/// The same edges. \pre manifold.
 std::vector<QuadEdge> edges_with_quads(const QuadMesh& mesh);
 
 /// #V Length of the shortest edge at each vertex.

@@ -60,6 +60,9 @@ class Relaxer {
       loops_.emplace_back(std::move(points));
     }
     find_segments();
+    for (int f = 0; f < connectivity.face_count(); ++f) {
+      normal_.push_back(doubled_area_vector(surface, f).normalized());
+    }
   }
 
   RelaxResult run() {
@@ -146,8 +149,16 @@ class Relaxer {
     return false;
   }
 
-  // Takes back the moves of all corners of quads that would become worse than the worst one was,
-  // inverted if they were not, turned over, or pinched.
+  // Whether a quad is turned over: its normal points to the other side than the surface's.
+  bool is_turned(const std::array<int, 4>& quad, const Corners& corners,
+                 const std::vector<int>& face) const {
+    Vec3 outward = Vec3::Zero();
+    for (const int v : quad) outward += normal_[face[v]];
+    return doubled_area_vector(corners).dot(outward) < 0.0;
+  }
+
+  // Takes back the moves of all corners of quads that would become worse than the worst one was (or
+  // than they were, if that was inverted), turned over, or pinched.
   void undo_harmful_moves() {
     const double worst = *std::min_element(jacobian_.begin(), jacobian_.end());
     const std::vector<double> jacobian_before = jacobian_;
@@ -161,8 +172,9 @@ class Relaxer {
         const Corners after = corners_of(moved_, mesh_.quads[q]);
         jacobian_[q] = scaled_jacobian(after);
         const bool is_worse = jacobian_[q] < std::min(jacobian_before[q], std::max(worst, 0.0));
-        const bool is_turned = doubled_area_vector(before).dot(doubled_area_vector(after)) < 0.0;
-        harmful[q] = is_worse || is_turned || is_pinched(q, before, after) ? 1 : 0;
+        const bool turns_over = is_turned(mesh_.quads[q], after, moved_face_) &&
+                                !is_turned(mesh_.quads[q], before, face_);
+        harmful[q] = is_worse || turns_over || is_pinched(q, before, after) ? 1 : 0;
       });
       std::vector<int> undone;
       for (const int q : suspects) {
@@ -206,6 +218,7 @@ class Relaxer {
   std::vector<Corners> targets_;
   std::vector<int> segment_, moved_face_, moved_segment_;
   std::vector<double> jacobian_;  // scaled Jacobians of the quads
+  std::vector<Vec3> normal_;      // of the surface's triangles
   std::vector<Vec3> moved_;
   RelaxResult result_;
 };

@@ -16,7 +16,7 @@ struct RelaxOptions {
 struct RelaxResult {
   int iterations = 60;
   int frozen_moves = 0;  ///< vertex moves refused because a quad would have become worse than the
-                         ///< worst one, or an edge far too short
+                         ///< worst one, inverted or turned over, or an edge far too short
 };
 
 /// Target size of a quad: along its sides 0-1, 2-3 and along its sides 1-2, 3-0.
@@ -30,7 +30,8 @@ struct QuadSize {
 /// Each iteration fits a rectangle to every quad and moves each vertex to the mean of its corners
 /// (shape-up, after Bouaziz et al., "Shape-Up", SGP 2012, with Jacobi steps), then back on the
 /// surface; vertices of a boundary loop slide along their loop. A step never lowers the minimum
-/// scaled Jacobian of the mesh, and shortens no edge below 5 % of the target size.
+/// scaled Jacobian of the mesh, inverts or turns over no quad that was right, and shortens no edge
+/// below 5 % of the target size.
 /// \param face #V triangle of `surface` on which each vertex lies; updated.
 /// \param size #Q target of each quad.
 RelaxResult relax(QuadMesh& mesh, std::vector<int>& face, const std::vector<QuadSize>& size,

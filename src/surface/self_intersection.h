@@ -8,7 +8,7 @@
 namespace hexwall {
 
 /// Pairs of triangles that meet anywhere but in their common vertices and edges, decided with exact
-/// predicates. Sorted, the lower number first.
+/// predicates unless a plane is clearly between them. Sorted, the lower number first.
 /// \pre manifold, consistent winding, no triangle without area.
 /// Cost: O((#F + #pairs) log #F).
 std::vector<std::pair<int, int>> self_intersections(const TriangleSurface& surface);

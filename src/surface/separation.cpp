@@ -19,7 +19,7 @@ using Box =
 constexpr std::ptrdiff_t cutoff = 1000;
 // As many pairs are looked at together.
 constexpr std::size_t batch = std::size_t{1} << 20;
-// Of the largest coordinate.
+// Of the largest coordinate: rounding is far below it.
 constexpr double certain = 1e-10;
 
 /// Corners that two faces have in common.
@@ -61,16 +61,17 @@ bool Separation::is_certain(std::span<const int> a, std::span<const int> b) cons
   };
   Vec3 toward_a = center(a);
   Vec3 toward_b = center(b);
-  if (shared.count == 2) {
-    const Vec3 edge = (points_[shared.vertices[1]] - origin).normalized();
-    toward_a -= edge.dot(toward_a) * edge;
-    toward_b -= edge.dot(toward_b) * edge;
-  }
+  Vec3 edge = Vec3::Zero();
+  if (shared.count == 2) edge = (points_[shared.vertices[1]] - origin).normalized();
+  const auto across_edge = [&](const Vec3& v) { return Vec3(v - edge.dot(v) * edge); };
+  toward_a = across_edge(toward_a);
+  toward_b = across_edge(toward_b);
   if (shared.count > 0) {
     toward_a.normalize();
     toward_b.normalize();
   }
-  Vec3 normal = toward_a - toward_b;
+  // Once more: on needles, normalising has magnified what rounding left along the edge.
+  Vec3 normal = across_edge(toward_a - toward_b);
   if (shared.count == 0) normal.normalize();
   double least_of_a = std::numeric_limits<double>::max();
   double most_of_b = std::numeric_limits<double>::lowest();

@@ -11,10 +11,12 @@
 
 namespace hexwall {
 
-/// A quick answer, most often, to whether two faces meet: planes that have one on either side.
+/// Tells of faces that a plane between them keeps apart, in constant time: most of those that are
+/// near each other.
 class Separation {
  public:
   explicit Separation(const std::vector<Vec3>& points);
+  explicit Separation(std::vector<Vec3>&&) = delete;  // they are not copied
 
   /// Whether two triangles or quads certainly meet nowhere but in common vertices or on the line
   /// between two of them, whichever way a quad is split into two triangles. False says nothing.

@@ -45,6 +45,17 @@ TEST(Relax, TurnsNoQuadOver) {
   for (int q = 0; q < 3; ++q) EXPECT_GT(least_corner(mesh, q), 0.0) << q;
 }
 
+// Its outer ones are too wide, it overlaps them.
+TEST(Relax, TurnsAQuadRight) {
+  QuadMesh mesh;
+  mesh.points = {{0, 0, 0}, {1.8, 0, 0}, {1.2, 0, 0}, {3, 0, 0},
+                 {0, 1, 0}, {1.8, 1, 0}, {1.2, 1, 0}, {3, 1, 0}};
+  mesh.quads = {{0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}};
+  ASSERT_LT(least_corner(mesh, 1), 0.0);
+  mesh = relaxed(mesh, {{0.5, 1.0}, {0.05, 1.0}, {0.5, 1.0}});
+  for (int q = 0; q < 3; ++q) EXPECT_GT(least_corner(mesh, q), 0.0) << q;
+}
+
 // Two quads below the lower corners of a third one want to push them past each other; a fourth one
 // is inverted from the start.
 TEST(Relax, FoldsNothingWhereAnotherQuadIsInverted) {

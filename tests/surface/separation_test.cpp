@@ -4,8 +4,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <random>
+#include <utility>
+#include <vector>
 
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <gtest/gtest.h>
 
 #include "surface/generate.h"
@@ -73,6 +77,71 @@ TEST_F(MeetingFaces, AreNotSeparatedIfAQuadTouchesAcross) {
   const std::array<int, 4> a{0, 1, 2, 3};
   const std::array<int, 4> b{1, 4, 3, 5};  // has corners in common that are not next to each other
   EXPECT_FALSE(Separation(points).is_certain(a, b));
+}
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Corners = std::array<Kernel::Point_3, 3>;
+
+// Whether two triangles with a common first edge meet elsewhere, by CGAL.
+bool meet_beside_edge(const Corners& s, const Corners& t) {
+  return !CGAL::collinear(s[0], s[1], s[2]) && !CGAL::collinear(s[0], s[1], t[2]) &&
+         CGAL::coplanar(s[0], s[1], s[2], t[2]) &&
+         CGAL::coplanar_orientation(s[0], s[1], s[2], t[2]) == CGAL::POSITIVE;
+}
+
+// Whether two triangles with a common first corner meet elsewhere, by CGAL.
+bool meet_beside_corner(const Corners& s, const Corners& t) {
+  return CGAL::do_intersect(Kernel::Triangle_3(s[0], s[1], s[2]), Kernel::Segment_3(t[1], t[2])) ||
+         CGAL::do_intersect(Kernel::Triangle_3(t[0], t[1], t[2]), Kernel::Segment_3(s[1], s[2]));
+}
+
+Corners corners(const std::vector<Vec3>& points, const std::array<int, 3>& triangle) {
+  Corners result;
+  for (int k = 0; k < 3; ++k) {
+    const Vec3& p = points[triangle[k]];
+    result[k] = {p.x(), p.y(), p.z()};
+  }
+  return result;
+}
+
+// Needles folded onto each other at their long edge, or nearly so, near the origin and far from it.
+TEST_F(MeetingFaces, AreNotSeparatedHoweverThin) {
+  int meeting = 0;
+  for (int i = 0; i < 40000; ++i) {
+    const Vec3 origin = i % 2 == 0 ? Vec3(0, 0, 0) : 1000.0 * place();
+    Vec3 edge = place();
+    edge.z() = 0.0;  // in a plane: folds are exact
+    const Vec3 across = Vec3(-edge.y(), edge.x(), 0.0);
+    const auto apex = [&] {
+      return Vec3(origin + number(-1.0, 2.0) * edge + std::pow(10.0, number(-13.0, 0.0)) * across);
+    };
+    const std::vector<Vec3> points{origin, origin + edge, apex(), apex()};
+    const std::array<int, 3> a{0, 1, 2};
+    const std::array<int, 3> b{0, 1, 3};
+    if (!meet_beside_edge(corners(points, a), corners(points, b))) continue;
+    ++meeting;
+    EXPECT_FALSE(Separation(points).is_certain(a, b)) << i;
+  }
+  EXPECT_GT(meeting, 10000);
+}
+
+TEST_F(MeetingFaces, AreNotSeparatedAtACornerHoweverThin) {
+  int meeting = 0;
+  for (int i = 0; i < 40000; ++i) {
+    const Vec3 origin = i % 2 == 0 ? Vec3(0, 0, 0) : 1000.0 * place();
+    const Vec3 along = place();
+    const auto near = [&](double thin) {
+      return Vec3(origin + number(0.1, 1.0) * along + thin * place());
+    };
+    const double thin = std::pow(10.0, number(-12.0, 0.0));
+    const std::vector<Vec3> points{origin, near(thin), near(thin), near(thin), near(thin)};
+    const std::array<int, 3> a{0, 1, 2};
+    const std::array<int, 3> b{0, 3, 4};
+    if (!meet_beside_corner(corners(points, a), corners(points, b))) continue;
+    ++meeting;
+    EXPECT_FALSE(Separation(points).is_certain(a, b)) << i;
+  }
+  EXPECT_GT(meeting, 1000);
 }
 
 TEST(Separation, IsCertainOfNeighboursOnASmoothSurface) {

@@ -17,8 +17,8 @@ or both, for OpenFOAM, CalculiX, Abaqus, Gmsh, svMultiPhysics and ParaView.
 Programs, a C++ library (static), a Python module and a Snakemake workflow for cohorts.")
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "xvfb, xauth, libgl1-mesa-dri, snakemake")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS
-  "cmake, libcgal-dev, libeigen3-dev, libfmt-dev, libsuitesparse-dev, libtbb-dev, libtet1.5-dev, libvtk9-dev, \
-nlohmann-json3-dev, paraview")
+  "cmake, libcgal-dev, libdeflate-dev, libeigen3-dev, libfmt-dev, libsuitesparse-dev, libtbb-dev, \
+libtet1.5-dev, libvtk9-dev, nlohmann-json3-dev, paraview")
 if(HEXWALL_PYTHON)
   # The module is made for one version of Python.
   math(EXPR next "${Python_VERSION_MINOR} + 1")
