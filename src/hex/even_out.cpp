@@ -113,13 +113,16 @@ class Evener {
 
   std::vector<int> group_of(int first, std::vector<char>& is_waiting) const {
     std::vector<int> group;
+    std::vector<int> front;
     const auto take = [&](int v) {
-      if (is_waiting[v] != 0) group.push_back(v);
+      if (is_waiting[v] != 0) front.push_back(v);
       is_waiting[v] = 0;
     };
     take(first);
-    for (std::size_t i = 0; i < group.size(); ++i) {
-      for (const int q : search_.columns_around(group[i])) {
+    while (!front.empty()) {
+      group.push_back(front.back());
+      front.pop_back();
+      for (const int q : search_.columns_around(group.back())) {
         const auto& quad = search_.quads().quads[q];
         std::for_each(quad.begin(), quad.end(), take);
       }
