@@ -19,7 +19,7 @@ import matplotlib.pyplot as plt  # noqa: E402
 
 SAC = 24e-3  # m: the wall at x beyond it is that of the sac and of nothing else
 CLOSE = 0.05
-TICKS = {"cells": (10000, 30000, 100000), "seconds": (10, 30, 100, 300)}
+TICKS = {"cells": (10000, 30000, 100000, 300000), "seconds": (10, 100, 1000)}
 
 
 def measure(case):

@@ -27,7 +27,7 @@ run() {
   build/hexwall shear "$folder" -o "$folder"
 }
 
-for size in 2.4 2 1.5 1.2 1 0.85 0.7 0.6; do
+for size in 2.4 2 1.5 1.2 1 0.85 0.7 0.6 0.5; do
   if awk "BEGIN { exit !($size < $finest) }"; then break; fi
   run hybrid $size --layers 10 --growth 1.2 --thickness-ratio 0.3
   if [[ $size != 2.4 ]]; then run tet $size; fi
