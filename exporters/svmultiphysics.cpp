@@ -30,8 +30,10 @@ std::vector<int> from_one(std::vector<int> ids) {
 
 OutputFile volume_file(const HexMesh& mesh, const CellMesh& cells) {
   return {"mesh-complete.mesh.vtu",
-          vtu_bytes(mesh,
-                    {{"GlobalElementID", 1, numbers(mesh.hexes.size())},
+          vtu_bytes(cells,
+                    {{"layer", 1, mesh.layer},
+                     {"quad", 1, mesh.quad},
+                     {"GlobalElementID", 1, numbers(mesh.hexes.size())},
                      {"ModelRegionID", 1, from_one(group_of_cells(cells, cells.zones))}},
                     {{"GlobalNodeID", 1, numbers(mesh.points.size())}})};
 }

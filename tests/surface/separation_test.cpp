@@ -35,26 +35,16 @@ class MeetingFaces : public testing::Test {
   std::mt19937_64 random_{1};
 };
 
-TEST_F(MeetingFaces, AreNotSeparatedWithoutACommonVertex) {
-  for (int i = 0; i < 2000; ++i) {
+// Two triangles with a point inside both; in the second half of the trials with a corner in common.
+TEST_F(MeetingFaces, AreNotSeparatedWithAtMostACommonVertex) {
+  for (int i = 0; i < 4000; ++i) {
+    const int first = i < 2000 ? 3 : 0;  // of the second triangle
     const Vec3 common = place();
     std::vector<Vec3> points{place(), place(), Vec3(), place(), place(), Vec3()};
     points[2] = third_corner(points[0], points[1], common);
-    points[5] = third_corner(points[3], points[4], common);
+    points[5] = third_corner(points[first], points[4], common);
     const std::array<int, 3> a{0, 1, 2};
-    const std::array<int, 3> b{3, 4, 5};
-    EXPECT_FALSE(Separation(points).is_certain(a, b)) << i;
-  }
-}
-
-TEST_F(MeetingFaces, AreNotSeparatedAtACommonVertex) {
-  for (int i = 0; i < 2000; ++i) {
-    const Vec3 common = place();
-    std::vector<Vec3> points{place(), place(), Vec3(), place(), Vec3()};
-    points[2] = third_corner(points[0], points[1], common);
-    points[4] = third_corner(points[0], points[3], common);
-    const std::array<int, 3> a{0, 1, 2};
-    const std::array<int, 3> b{3, 4, 0};
+    const std::array<int, 3> b{4, 5, first};
     EXPECT_FALSE(Separation(points).is_certain(a, b)) << i;
   }
 }
