@@ -130,6 +130,11 @@ void find_form(PipelineResult& r) {
     options.most = poles.count;
     options.only_if_worthwhile = false;
     found = place_poles(problem, std::move(found.solution), options);
+    if (static_cast<int>(found.poles.size()) < poles.count) {
+      r.warnings.push_back(
+          fmt::format("{} asked for, {} placed: more would vanish, or there is no room for them",
+                      counted(poles.count, "pole"), found.poles.size()));
+    }
   } else if (poles.mode == PoleRequest::Mode::places) {
     found = place_poles_at(problem, std::move(found.solution), poles.places);
   }

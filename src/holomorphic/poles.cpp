@@ -49,6 +49,9 @@ constexpr std::size_t place_trials = 3;
 // Where nothing is blind, the region of a pole is taken to have this radius, relative to the root
 // of the area of the surface.
 constexpr double least_region = 0.05;
+// A charge that wants to be smaller than this, relative to its region, wants to vanish: quads
+// around it, as small as itself, would be of no use.
+constexpr double vanishing_radius = 1e-3;
 // A disk's area vector over its area: 0.75 for a cap of a sphere 60 degrees from its centre. Beyond
 // that a flat grid no longer covers it well.
 constexpr double least_flatness = 0.75;
@@ -111,7 +114,7 @@ Sample farthest_points(const std::vector<Vec3>& points, const std::vector<int>& 
 struct Judgement {
   std::vector<int> vertices;
   double energy = std::numeric_limits<double>::max();
-  std::vector<double> circumferences;  ///< of each
+  std::vector<double> radii;  ///< of each, as the form wants them; none if one of them vanishes
 };
 
 class Judge {
@@ -120,6 +123,7 @@ class Judge {
       : problem_(problem),
         s_(solution),
         left_out_(left_out_radius * region_radius),
+        vanishing_(vanishing_radius * region_radius),
         g_(potentials(solution.basis)) {
     choose_triangles();
     if (solution.basis.size() > all_forms) optimum_ = g_ * solution.optimum.lambda;
@@ -213,7 +217,9 @@ class Judge {
     // Where the neighbourhood left out is all of the surface, there is no energy to descend.
     Judgement judgement{vertices, best.energy, {}};
     for (Eigen::Index i = trial.g.cols() - trial.charges; i < best.lambda.size(); ++i) {
-      judgement.circumferences.push_back(std::abs(best.lambda[i]));
+      const double radius = std::abs(best.lambda[i]) / (2.0 * std::numbers::pi);
+      if (radius <= vanishing_) return {vertices, best.energy, {}};
+      judgement.radii.push_back(radius);
     }
     return judgement;
   }
@@ -323,7 +329,7 @@ class Judge {
 
   const FormProblem& problem_;
   const FormSolution& s_;
-  double left_out_;
+  double left_out_, vanishing_;
   std::vector<int> faces_;       // #F of the refined surface: number among the judged ones, or -1
   Eigen::VectorXd rho_;          // of the judged triangles
   std::vector<double> lengths_;  // of the loops, and of one around the blind region
@@ -444,18 +450,14 @@ bool add_poles(const FormProblem& problem, const Judgement& judgement, const Pol
   const FormSolution& s = result.solution;
   const auto count = static_cast<int>(judgement.vertices.size());
   const double least_gain = 1.0 - std::pow(1.0 - options.least_gain, count);
-  if (judgement.circumferences.empty() ||
-      *std::min_element(judgement.circumferences.begin(), judgement.circumferences.end()) <= 0.0) {
-    return false;
-  }
+  if (judgement.radii.empty()) return false;
   if (options.only_if_worthwhile &&
       judgement.energy > (1.0 - promising_gain * least_gain) * s.optimum.energy) {
     return false;
   }
   std::vector<SurfaceDisk> disks = s.disks;
   for (int i = 0; i < count; ++i) {
-    disks.push_back({surface_point(s, judgement.vertices[i]),
-                     judgement.circumferences[i] / (2.0 * std::numbers::pi)});
+    disks.push_back({surface_point(s, judgement.vertices[i]), judgement.radii[i]});
   }
   auto next = solve_with_disks(problem, disks, count, options.only_if_worthwhile);
   if (!next) return false;
@@ -533,7 +535,7 @@ PoleResult place_poles_at(const FormProblem& problem, FormSolution start,
     if (is_inside && add_poles(problem, judge.judge({{*nearest}})[0], options, result)) continue;
     throw UsageError(fmt::format(
         "there is no room for a pole at ({:.6g}, {:.6g}, {:.6g}): it is too near an opening or "
-        "another pole, or the surface is folded there",
+        "another pole, or the surface is folded there, or so even that a pole would vanish",
         place.x(), place.y(), place.z()));
   }
   return result;

@@ -102,6 +102,18 @@ TEST(Poles, AreAsManyAsAskedFor) {
   }
 }
 
+// The best form of a straight tube is even: the best charge in it is none.
+TEST(Poles, DoNotComeIfTheyWouldVanish) {
+  const Vessel vessel(cylinder(1.0, 3.0, 8, 4));
+  PoleOptions options;
+  options.most = 1;
+  options.only_if_worthwhile = false;
+  EXPECT_TRUE(vessel.with_poles(options).poles.empty());
+  expect_error(ExitCode::usage, {"no room for a pole at (1, 0, 1.5)", "vanish"}, [&] {
+    place_poles_at(vessel.problem(), solve_form(vessel.problem()), {{1.0, 0.0, 1.5}});
+  });
+}
+
 TEST(Poles, GoWhereTheyAreAskedFor) {
   const Vessel vessel(tube_with_sac());
   const Vec3 place(4.0, 0.1, 5.2);
