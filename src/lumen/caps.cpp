@@ -7,7 +7,7 @@
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_2.h>
-#include <CGAL/Triangulation_face_base_2.h>
+#include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 #include <Eigen/Geometry>
 #include <Eigen/Sparse>
@@ -23,7 +23,8 @@ namespace {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_2;
 using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<int, Kernel>;
-using FaceBase = CGAL::Constrained_triangulation_face_base_2<Kernel>;
+using FaceBase = CGAL::Constrained_triangulation_face_base_2<
+    Kernel, CGAL::Triangulation_face_base_with_info_2<bool, Kernel>>;
 using Cdt = CGAL::Constrained_Delaunay_triangulation_2<
     Kernel, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>>;
 using Vec2 = Eigen::Vector2d;
@@ -39,6 +40,23 @@ constexpr int smoothing_rounds = 12;
 
 Point to_point(const Vec2& p) {
   return {p.x(), p.y()};
+}
+
+// Marks the faces that are connected with infinity across edges that are no constraints.
+void mark_outside(Cdt& cdt) {
+  for (const auto& face : cdt.all_face_handles()) face->info() = false;
+  std::vector<Cdt::Face_handle> front{cdt.infinite_face()};
+  front.back()->info() = true;
+  while (!front.empty()) {
+    const Cdt::Face_handle face = front.back();
+    front.pop_back();
+    for (int k = 0; k < 3; ++k) {
+      const Cdt::Face_handle next = face->neighbor(k);
+      if (face->is_constrained(k) || next->info()) continue;
+      next->info() = true;
+      front.push_back(next);
+    }
+  }
 }
 
 /// The triangulation of a disc in the plane.
@@ -116,11 +134,12 @@ class Disc {
     for (std::size_t i = 0; i < rim_.size(); ++i) {
       cdt.insert_constraint(handles[i], handles[(i + 1) % rim_.size()]);
     }
+    mark_outside(cdt);
     triangles_.clear();
     for (const auto& face : cdt.finite_face_handles()) {
-      const std::array<int, 3> t{face->vertex(0)->info(), face->vertex(1)->info(),
-                                 face->vertex(2)->info()};
-      if (is_inside((points_[t[0]] + points_[t[1]] + points_[t[2]]) / 3.0)) triangles_.push_back(t);
+      if (face->info()) continue;
+      triangles_.push_back(
+          {face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()});
     }
     // In an order that does not depend on CGAL's.
     for (auto& t : triangles_)

@@ -64,6 +64,7 @@ TEST(Cap, PutsNoPointsOnTheRim) {
   EXPECT_EQ(cap.triangles.size(), rim.size() + 2 * cap.points.size() - 2);
 }
 
+// Vertices on a straight side of the loop lie on it but for rounding, this side or that.
 TEST(Cap, FillsALoopWithACorner) {
   std::vector<Vec3> rim;
   for (int i = 0; i < 20; ++i) rim.push_back(tilted(0.1 * i, 0.0, 0.0));
@@ -75,8 +76,12 @@ TEST(Cap, FillsALoopWithACorner) {
   const Cap cap = fill_loop(rim, "loop_0");
   const std::vector<Vec3> points = all_points(rim, cap);
   double area = 0.0;
-  for (const auto& t : cap.triangles) area += area_vector(points, t).norm();
+  for (const auto& t : cap.triangles) {
+    EXPECT_GT(area_vector(points, t).norm(), 1e-4);
+    area += area_vector(points, t).norm();
+  }
   EXPECT_NEAR(area, 3.0, 1e-12);
+  EXPECT_EQ(cap.triangles.size(), rim.size() + 2 * cap.points.size() - 2);
 }
 
 // A harmonic surface has no height beyond those of its rim.
