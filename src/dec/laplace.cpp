@@ -152,7 +152,8 @@ void LaplaceSolver::Implementation::factorise(const Sparse& matrix) {
                          workspace);
   cholmod_factorize(matrix.get(), factor.get(), &common);
   if (common.status != CHOLMOD_OK) {
-    throw Error(ExitCode::internal, "the Laplacian of the surface is not positive definite");
+    throw GeometryError(
+        "the surface has triangles too thin to solve for harmonic functions on: remesh it");
   }
   nonzeros = static_cast<long>(common.lnz);
   const int* const rows = static_cast<const int*>(factor->Perm);

@@ -15,7 +15,7 @@ namespace hexwall {
 class LaplaceSolver {
  public:
   /// \param star1 #E cotangent weights, as of `star1`.
-  /// \throws Error(internal) if the matrix is not positive definite but for the constants.
+  /// \throws GeometryError if the matrix is not positive definite but for the constants.
   LaplaceSolver(const Connectivity& mesh, Eigen::VectorXd star1);
   ~LaplaceSolver();
   LaplaceSolver(LaplaceSolver&&) noexcept;

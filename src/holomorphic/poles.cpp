@@ -434,8 +434,8 @@ std::optional<FormSolution> solve_with_disks(const FormProblem& problem,
                          [&](const auto& faces) { return is_flat(problem.surface, faces); });
     };
     if (auto punctured = puncture(problem.surface, disks); punctured && are_flat(*punctured)) {
-      FormSolution solution = solve_form(problem, disks, std::move(*punctured));
-      if (!has_half_zeros(solution, count)) return solution;
+      std::optional<FormSolution> solution = solve_form(problem, disks, std::move(*punctured));
+      if (solution && !has_half_zeros(*solution, count)) return solution;
       if (!strict && !fallback) fallback = std::move(solution);
     }
     for (auto i = first; i < std::ssize(disks); ++i) disks[i].radius *= radius_factor;

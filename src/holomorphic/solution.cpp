@@ -46,7 +46,10 @@ std::vector<int> loop_order(const Connectivity& mesh, const Connectivity& origin
   return order;
 }
 
-void refine(const FormProblem& problem, PuncturedSurface punctured, FormSolution& s) {
+FormSolution refined(const FormProblem& problem, const std::vector<SurfaceDisk>& disks,
+                     PuncturedSurface punctured) {
+  FormSolution s;
+  s.disks = disks;
   s.refined = make_delaunay(punctured.surface);
   for (int& f : s.refined.parent_face) f = punctured.parent_face[f];
   s.disk_faces = std::move(punctured.disk_faces);
@@ -54,6 +57,7 @@ void refine(const FormProblem& problem, PuncturedSurface punctured, FormSolution
       Connectivity(static_cast<int>(s.refined.surface.points.size()), s.refined.surface.triangles);
   // Refinement keeps vertex numbers and loops.
   s.connectivity.reorder_loops(loop_order(s.connectivity, problem.connectivity, punctured));
+  return s;
 }
 
 void find_scale_factors(FormSolution& s) {
@@ -108,6 +112,17 @@ std::vector<double> wanted_circumferences(const FormProblem& problem, const Form
   return lengths;
 }
 
+FormSolution solve_refined(const FormProblem& problem, FormSolution s) {
+  s.laplace = laplace_of(s);
+  s.factor_nonzeros = s.laplace->factor_nonzeros();
+  s.basis = holomorphic_basis(s.connectivity, *s.laplace);
+  find_optimum(problem, s);
+  s.form = combine(s.connectivity, *s.laplace, s.basis, s.optimum.lambda);
+  find_scale_factors(s);
+  find_size_ratios(problem, s);
+  return s;
+}
+
 }  // namespace
 
 Eigen::VectorXd sizing_weights(const Eigen::VectorXd& edge) {
@@ -154,23 +169,17 @@ std::shared_ptr<const LaplaceSolver> laplace_of(const FormSolution& s) {
 }
 
 FormSolution solve_form(const FormProblem& problem) {
-  return solve_form(problem, {}, *puncture(problem.surface, {}));
+  throw_if_cancelled();
+  return solve_refined(problem, refined(problem, {}, *puncture(problem.surface, {})));
 }
 
-FormSolution solve_form(const FormProblem& problem, const std::vector<SurfaceDisk>& disks,
-                        PuncturedSurface punctured) {
+std::optional<FormSolution> solve_form(const FormProblem& problem,
+                                       const std::vector<SurfaceDisk>& disks,
+                                       PuncturedSurface punctured) {
   throw_if_cancelled();
-  FormSolution s;
-  s.disks = disks;
-  refine(problem, std::move(punctured), s);
-  s.laplace = laplace_of(s);
-  s.factor_nonzeros = s.laplace->factor_nonzeros();
-  s.basis = holomorphic_basis(s.connectivity, *s.laplace);
-  find_optimum(problem, s);
-  s.form = combine(s.connectivity, *s.laplace, s.basis, s.optimum.lambda);
-  find_scale_factors(s);
-  find_size_ratios(problem, s);
-  return s;
+  FormSolution s = refined(problem, disks, std::move(punctured));
+  if (s.refined.negative_edges > 0) return std::nullopt;
+  return solve_refined(problem, std::move(s));
 }
 
 }  // namespace hexwall

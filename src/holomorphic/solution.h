@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -49,8 +50,10 @@ struct FormSolution {
 FormSolution solve_form(const FormProblem& problem);
 
 /// The same without the disks. \param punctured `problem.surface` without them.
-FormSolution solve_form(const FormProblem& problem, const std::vector<SurfaceDisk>& disks,
-                        PuncturedSurface punctured);
+/// \returns nothing if the triangles around them stay too thin, however they are refined.
+std::optional<FormSolution> solve_form(const FormProblem& problem,
+                                       const std::vector<SurfaceDisk>& disks,
+                                       PuncturedSurface punctured);
 
 /// Sets `s.optimum`, given all that comes before it.
 void find_optimum(const FormProblem& problem, FormSolution& s);

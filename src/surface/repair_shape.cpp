@@ -21,9 +21,9 @@ constexpr double poor_quality = 0.1;
 constexpr double greatest_poor_share = 0.1;
 
 constexpr double greatest_triangle_count = 1e7;
-// Unasked for, no surface is remeshed that would take so many times its triangles and edges: some
-// of them are so far out of proportion (a spike) that no mesh of even size is what the user wants,
-// or could wait for. So many triangles, of sides of so many edges, are no matter of waiting.
+// Unasked for, no surface is remeshed that would take so many times its triangles and edges, unless
+// they are few all the same, or has a side of so many edges: some surfaces are so far out of
+// proportion (a spike) that no mesh of even size is what the user wants, or could wait for.
 constexpr double greatest_growth = 30.0;
 constexpr double few_triangles = 20000.0;
 constexpr double greatest_side = 100.0;
@@ -174,9 +174,8 @@ Outcome remesh_hopeless(State& state, const double* edge, double tolerance) {
   const double length = edge != nullptr ? *edge : default_edge(state.surface);
   const double growth = pieces(state.surface, length);
   const auto count = static_cast<double>(state.surface.triangles.size());
-  const bool is_quick =
-      growth <= greatest_growth ||
-      (growth * count <= few_triangles && longest_side(state.surface) <= greatest_side * length);
+  const bool is_quick = (growth <= greatest_growth || growth * count <= few_triangles) &&
+                        longest_side(state.surface) <= greatest_side * length;
   if (edge == nullptr && !is_quick) return {};
   TriangleSurface remeshed = remesh(state.surface, length);
   const double moved = surface_distance(state.surface, remeshed);
