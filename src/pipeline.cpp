@@ -49,21 +49,26 @@ void check_options(const PipelineOptions& options) {
   require(options.relax >= 0.0 && options.relax <= 1.0, "--relax must lie between 0 and 1");
 }
 
-// Brings the loops in the order of the openings, each at the loop of the nearest centre.
+// Brings the loops in the order of the openings, each at the loop of the nearest centre that is
+// left: centres may be the same.
 void find_openings(const PrepareResult& input, PipelineResult& r) {
   r.connectivity = Connectivity(static_cast<int>(r.surface.points.size()), r.surface.triangles);
   const auto& loops = r.connectivity.loops();
   std::vector<LoopPlane> planes;
   for (const auto& loop : loops) planes.push_back(fit_plane(points_of(r.surface, loop)));
+  std::vector<int> left(loops.size());
+  std::iota(left.begin(), left.end(), 0);
   std::vector<int> order;
   for (const NamedPlace& opening : input.openings) {
-    const auto nearest =
-        std::min_element(planes.begin(), planes.end(), [&](const LoopPlane& a, const LoopPlane& b) {
-          return (a.center - opening.at).squaredNorm() < (b.center - opening.at).squaredNorm();
-        });
-    order.push_back(static_cast<int>(nearest - planes.begin()));
+    const auto nearest = std::min_element(left.begin(), left.end(), [&](int a, int b) {
+      return (planes[a].center - opening.at).squaredNorm() <
+             (planes[b].center - opening.at).squaredNorm();
+    });
+    const int loop = *nearest;
+    left.erase(nearest);
+    order.push_back(loop);
     r.openings.push_back(
-        {opening.name, loop_shape(points_of(r.surface, loops[order.back()])).length, *nearest});
+        {opening.name, loop_shape(points_of(r.surface, loops[loop])).length, planes[loop]});
   }
   r.connectivity.reorder_loops(order);
 }
