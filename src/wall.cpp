@@ -4,13 +4,13 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include "core/errors.h"
-#include "core/parallel.h"
 #include "foliation/local_radius.h"
 #include "hex/directions.h"
 #include "hex/even_out.h"
@@ -179,59 +179,6 @@ struct WallFit {
   }
 };
 
-int columns_without_face_tets(const WallFit& fit) {
-  std::vector<char> lacks(fit.quads.quads.size());
-  parallel_for(lacks.size(), [&](std::size_t q) {
-    const Column column = column_of(fit.quads, static_cast<int>(q), fit.directions, fit.shape);
-    lacks[q] = has_face_tets(column, fit.shape.plan.levels) ? 0 : 1;
-  });
-  return static_cast<int>(std::count(lacks.begin(), lacks.end(), 1));
-}
-
-double least_jacobian(const WallFit& fit) {
-  std::vector<double> of_column(fit.quads.quads.size());
-  parallel_for(of_column.size(), [&](std::size_t q) {
-    const Column column = column_of(fit.quads, static_cast<int>(q), fit.directions, fit.shape);
-    of_column[q] = scaled_jacobian(column, fit.shape.plan.levels);
-  });
-  return *std::min_element(of_column.begin(), of_column.end());
-}
-
-// Thickness that fits on each side, up to what is asked.
-void fit_sides(const PipelineResult& r, WallFit& fit) {
-  fit.shape = shape_of(r, fit.places);
-  if (r.options.outward) {
-    fit.outward = fit_thickness(fit.quads, fit.directions, fit.shape, Side::outward);
-    fit.shape.outward = fit.outward->given;
-  }
-  if (r.options.inward) {
-    fit.inward = fit_thickness(fit.quads, fit.directions, fit.shape, Side::inward,
-                               r.options.leaves_room_for_core);
-    fit.shape.inward = fit.inward->given;
-  }
-  fit.columns_without_face_tets = columns_without_face_tets(fit);
-  fit.min_scaled_jacobian = least_jacobian(fit);
-}
-
-// The same, or nothing where no thickness fits.
-std::optional<WallFit> fitted(const PipelineResult& r, WallFit fit) {
-  try {
-    fit_sides(r, fit);
-    return fit;
-  } catch (const MeshingError&) {
-    return std::nullopt;
-  }
-}
-
-// Evens out poor columns and fits the thickness, or returns nothing: where the quads are far too
-// large for the surface, evening out may fold them. `face_tets` as for `even_out`.
-std::optional<WallFit> evened_out(const PipelineResult& r, WallFit fit,
-                                  const SurfaceProjector& projector, double face_tets) {
-  fit.evened_vertices += even_out(fit.quads, fit.places, fit.directions, projector, fit.shape,
-                                  {fit.least_edge, face_tets});
-  return fitted(r, std::move(fit));
-}
-
 // Hexes good enough come first, then faces that OpenFOAM can split.
 bool is_better(const WallFit& a, const WallFit& b) {
   const auto merit = [](const WallFit& fit) {
@@ -241,56 +188,110 @@ bool is_better(const WallFit& a, const WallFit& b) {
   return merit(a) > merit(b);
 }
 
-// Evened out once, unless that makes it worse.
-WallFit first_fit(const PipelineResult& r, WallFit start, const SurfaceProjector& projector) {
-  const std::optional<WallFit> fit = evened_out(r, start, projector, 0.0);
-  if (fit && fit->min_scaled_jacobian >= wanted_scaled_jacobian) return *fit;
-  if (!fit) {
-    fit_sides(r, start);
-    return start;
+/// Finds the thickest wall up to what is asked, of columns evened out.
+class WallFitter {
+ public:
+  WallFitter(const PipelineResult& r, const SurfaceProjector& projector, ColumnQualities& columns)
+      : r_(r), projector_(projector), columns_(columns) {}
+
+  /// \param start the wall as asked for.
+  WallFit run(WallFit start) { return raise_worst(win_face_tets(first_fit(std::move(start)))); }
+
+ private:
+  std::span<const ColumnQuality> columns_of(const WallFit& fit) {
+    return columns_.of(fit.quads, fit.directions, fit.shape);
   }
-  const std::optional<WallFit> as_it_was = fitted(r, std::move(start));
-  return as_it_was && is_better(*as_it_was, *fit) ? *as_it_was : *fit;
-}
 
-// Evened out again while faces of a few columns cannot be split.
-WallFit win_face_tets(const PipelineResult& r, WallFit fit, const SurfaceProjector& projector) {
-  const double most = most_lacking * static_cast<double>(fit.quads.quads.size());
-  WallFit best = fit;
-  for (int round = 1; round <= most_fits; ++round) {
-    if (fit.columns_without_face_tets == 0 || fit.columns_without_face_tets > most) break;
-    std::optional<WallFit> next =
-        evened_out(r, std::move(fit), projector, round / rounds_to_full_weight);
-    if (!next) break;
-    fit = std::move(*next);
-    // Of equals the later, where more weighed on margins.
-    if (!is_better(best, fit)) best = fit;
+  // Thickness that fits on each side, up to what is asked.
+  void fit_sides(WallFit& fit) {
+    fit.shape = shape_of(r_, fit.places);
+    if (r_.options.outward) {
+      fit.outward = fit_thickness(fit.quads, fit.directions, fit.shape, Side::outward);
+      fit.shape.outward = fit.outward->given;
+    }
+    if (r_.options.inward) {
+      fit.inward = fit_thickness(fit.quads, fit.directions, fit.shape, Side::inward,
+                                 r_.options.leaves_room_for_core);
+      fit.shape.inward = fit.inward->given;
+    }
+    const std::span<const ColumnQuality> columns = columns_of(fit);
+    fit.columns_without_face_tets =
+        static_cast<int>(std::count_if(columns.begin(), columns.end(), [](const ColumnQuality& c) {
+          return c.face_tet_margin <= 0.0;
+        }));
+    fit.min_scaled_jacobian = least_scaled_jacobian(columns);
   }
-  if (best.columns_without_face_tets == 0 || best.columns_without_face_tets > most) return best;
-  WallFit mended = best;
-  mended.evened_vertices +=
-      mend_face_tets(mended.quads, mended.places, mended.directions, projector, mended.shape);
-  const std::optional<WallFit> refitted = fitted(r, std::move(mended));
-  return refitted && is_better(*refitted, best) ? *refitted : best;
-}
 
-// Raises the worst columns further, if that costs neither thickness nor faces that can be split.
-WallFit raise_worst(const PipelineResult& r, WallFit fit, const SurfaceProjector& projector) {
-  WallFit trial = fit;
-  trial.evened_vertices += even_out_worst(trial.quads, trial.places, trial.directions, projector,
-                                          trial.shape, trial.least_edge);
-  if (trial.evened_vertices == fit.evened_vertices) return fit;
-  const std::optional<WallFit> raised = fitted(r, std::move(trial));
-  const bool pays = raised && raised->columns_without_face_tets <= fit.columns_without_face_tets &&
-                    raised->reduced_area_fraction() <= fit.reduced_area_fraction() &&
-                    raised->min_scaled_jacobian > fit.min_scaled_jacobian;
-  return pays ? *raised : fit;
-}
+  // The same, or nothing where no thickness fits.
+  std::optional<WallFit> fitted(WallFit fit) {
+    try {
+      fit_sides(fit);
+      return fit;
+    } catch (const MeshingError&) {
+      return std::nullopt;
+    }
+  }
 
-WallFit find_thickness(const PipelineResult& r, const WallFit& start,
-                       const SurfaceProjector& projector) {
-  return raise_worst(r, win_face_tets(r, first_fit(r, start, projector), projector), projector);
-}
+  // Evens out poor columns and fits the thickness, or returns nothing: where the quads are far too
+  // large for the surface, evening out may fold them. `face_tets` as for `even_out`.
+  std::optional<WallFit> evened_out(WallFit fit, double face_tets) {
+    const EvenOutOptions options{columns_of(fit), fit.least_edge, face_tets};
+    fit.evened_vertices +=
+        even_out(fit.quads, fit.places, fit.directions, projector_, fit.shape, options);
+    return fitted(std::move(fit));
+  }
+
+  // Evened out once, unless that makes it worse.
+  WallFit first_fit(WallFit start) {
+    const std::optional<WallFit> fit = evened_out(start, 0.0);
+    if (fit && fit->min_scaled_jacobian >= wanted_scaled_jacobian) return *fit;
+    if (!fit) {
+      fit_sides(start);
+      return start;
+    }
+    const std::optional<WallFit> as_it_was = fitted(std::move(start));
+    return as_it_was && is_better(*as_it_was, *fit) ? *as_it_was : *fit;
+  }
+
+  // Evened out again while faces of a few columns cannot be split.
+  WallFit win_face_tets(WallFit fit) {
+    const double most = most_lacking * static_cast<double>(fit.quads.quads.size());
+    WallFit best = fit;
+    for (int round = 1; round <= most_fits; ++round) {
+      if (fit.columns_without_face_tets == 0 || fit.columns_without_face_tets > most) break;
+      std::optional<WallFit> next = evened_out(std::move(fit), round / rounds_to_full_weight);
+      if (!next) break;
+      fit = std::move(*next);
+      // Of equals the later, where more weighed on margins.
+      if (!is_better(best, fit)) best = fit;
+    }
+    if (best.columns_without_face_tets == 0 || best.columns_without_face_tets > most) return best;
+    WallFit mended = best;
+    mended.evened_vertices +=
+        mend_face_tets(mended.quads, mended.places, mended.directions, projector_, mended.shape);
+    const std::optional<WallFit> refitted = fitted(std::move(mended));
+    return refitted && is_better(*refitted, best) ? *refitted : best;
+  }
+
+  // Raises the worst columns further, if that costs neither thickness nor faces that can be split.
+  WallFit raise_worst(WallFit fit) {
+    WallFit trial = fit;
+    const EvenOutOptions options{columns_of(fit), fit.least_edge};
+    trial.evened_vertices += even_out_worst(trial.quads, trial.places, trial.directions, projector_,
+                                            trial.shape, options);
+    if (trial.evened_vertices == fit.evened_vertices) return fit;
+    const std::optional<WallFit> raised = fitted(std::move(trial));
+    const bool pays = raised &&
+                      raised->columns_without_face_tets <= fit.columns_without_face_tets &&
+                      raised->reduced_area_fraction() <= fit.reduced_area_fraction() &&
+                      raised->min_scaled_jacobian > fit.min_scaled_jacobian;
+    return pays ? *raised : fit;
+  }
+
+  const PipelineResult& r_;
+  const SurfaceProjector& projector_;
+  ColumnQualities& columns_;
+};
 
 // Quads, places and thickness of the wall become those of the fit.
 void take_over(WallFit& fit, PipelineResult& r, std::vector<SurfacePoint>& places) {
@@ -344,7 +345,9 @@ void make_wall(PipelineResult& r, std::vector<SurfacePoint>& places,
                          groups_of(r.options.inward, "lumen_layer_"));
   const WallShape shape = shape_of(r, places);
   std::vector<Vec3> directions = find_directions(r, places, shape);
-  r.polishing = polish(r.quads, places, directions, projector, shape);
+  ColumnQualities columns;
+  r.polishing =
+      polish(r.quads, places, directions, projector, shape, columns.of(r.quads, directions, shape));
   WallFit start;
   start.quads = r.quads;
   start.places = places;
@@ -352,7 +355,7 @@ void make_wall(PipelineResult& r, std::vector<SurfacePoint>& places,
   start.shape = shape_of(r, places);
   start.least_edge = shortest_edges(r.quads);
   for (double& edge : start.least_edge) edge *= least_share_of_edge;
-  WallFit fit = find_thickness(r, start, projector);
+  WallFit fit = WallFitter(r, projector, columns).run(std::move(start));
   take_over(fit, r, places);
   check_strictness(r);
   r.target_edge = target_edges(r, places);

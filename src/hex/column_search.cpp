@@ -8,7 +8,6 @@
 #include <Eigen/Geometry>
 
 #include "core/cancel.h"
-#include "core/parallel.h"
 
 namespace hexwall {
 namespace {
@@ -19,11 +18,6 @@ constexpr double widest_tilt = 0.3;
 constexpr int step_directions = 8;
 // A smaller gain is not worth a step.
 constexpr double least_gain = 1e-6;
-// Faces that are split worse than this are so because the quads are warped by more than the layers
-// are high: only smaller quads or higher layers mend that.
-constexpr double hopeless_face_split = -4.0;
-// Beyond this share of columns with faces that cannot be split, no polishing of a few mends them.
-constexpr double most_badly_split = 0.02;
 
 }  // namespace
 
@@ -95,22 +89,6 @@ void ColumnSearch::set(int v, const SurfacePoint& place, const Vec3& direction) 
   places_[v] = place;
   quads_.points[v] = place.position;
   directions_[v] = direction;
-}
-
-std::vector<char> hopeless_columns(const ColumnSearch& search) {
-  std::vector<char> is_hopeless(search.quads().quads.size());
-  std::vector<char> is_short(is_hopeless.size());
-  parallel_for(is_hopeless.size(), [&](std::size_t q) {
-    const Column column = search.column(static_cast<int>(q));
-    const double split = face_split(column, search.levels());
-    is_hopeless[q] = split < hopeless_face_split ? 1 : 0;
-    is_short[q] = split < 0.0 ? 1 : 0;
-  });
-  const auto short_count = static_cast<double>(std::count(is_short.begin(), is_short.end(), 1));
-  if (short_count > most_badly_split * static_cast<double>(is_short.size())) {
-    std::fill(is_hopeless.begin(), is_hopeless.end(), 1);
-  }
-  return is_hopeless;
 }
 
 }  // namespace hexwall

@@ -53,8 +53,4 @@ class ColumnSearch {
   double turn_ = 0.0;  // of the rings, in radians
 };
 
-/// #Q Columns whose faces between layers are not asked to be split: those that are warped far too
-/// much for their layers, and all if many are, as in a wall too thin for the size of its quads.
-std::vector<char> hopeless_columns(const ColumnSearch& search);
-
 }  // namespace hexwall

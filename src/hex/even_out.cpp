@@ -51,12 +51,12 @@ struct Goals {
 /// Minimises the sum of a high power of what the corners of the hexes lack, around poor columns.
 class Evener {
  public:
-  Evener(ColumnSearch& search, std::vector<char> is_hopeless, const Goals& goals,
-         std::span<const double> least_edge)
+  Evener(ColumnSearch& search, const Goals& goals, const EvenOutOptions& options)
       : search_(search),
-        is_hopeless_(std::move(is_hopeless)),
+        columns_(options.columns),
+        is_hopeless_(hopeless_columns(options.columns)),
         goals_(goals),
-        least_edge_(least_edge.begin(), least_edge.end()) {}
+        least_edge_(options.least_edge.begin(), options.least_edge.end()) {}
 
   /// \return vertices moved or turned.
   int run(int last_squarings) {
@@ -134,12 +134,11 @@ class Evener {
   std::vector<int> vertices_around_poor_columns() const {
     const auto& quads = search_.quads().quads;
     std::vector<char> in_region(quads.size());
-    parallel_for(quads.size(), [&](std::size_t q) {
-      const Column column = search_.column(static_cast<int>(q));
-      const bool is_poor = scaled_jacobian(column, search_.levels()) < goals_.poor_jacobian ||
-                           (is_hopeless_[q] == 0 && !has_face_tets(column, search_.levels()));
+    for (std::size_t q = 0; q < quads.size(); ++q) {
+      const bool is_poor = columns_[q].scaled_jacobian < goals_.poor_jacobian ||
+                           (is_hopeless_[q] == 0 && columns_[q].face_tet_margin <= 0.0);
       in_region[q] = is_poor ? 1 : 0;
-    });
+    }
     std::vector<char> near(search_.quads().points.size(), 0);
     for (int ring = 0; ring <= even_rings; ++ring) {
       for (std::size_t q = 0; q < quads.size(); ++q) {
@@ -193,6 +192,7 @@ class Evener {
   }
 
   ColumnSearch& search_;
+  std::span<const ColumnQuality> columns_;  // before anything is moved
   std::vector<char> is_hopeless_;
   Goals goals_;
   int squarings_ = first_squarings;
@@ -203,14 +203,6 @@ class Evener {
   std::vector<double> cost_;  // #V, around each one when it was looked at last
 };
 
-double least_jacobian(const ColumnSearch& search) {
-  std::vector<double> of_column(search.quads().quads.size());
-  parallel_for(of_column.size(), [&](std::size_t q) {
-    of_column[q] = scaled_jacobian(search.column(static_cast<int>(q)), search.levels());
-  });
-  return *std::min_element(of_column.begin(), of_column.end());
-}
-
 }  // namespace
 
 int even_out(QuadMesh& quads, std::vector<SurfacePoint>& places, std::vector<Vec3>& directions,
@@ -220,16 +212,16 @@ int even_out(QuadMesh& quads, std::vector<SurfacePoint>& places, std::vector<Vec
   const double split_weight =
       least_split_weight + options.face_tets * (greatest_split_weight - least_split_weight);
   const Goals goals{poor_jacobian, split_weight, first_squarings, false};
-  return Evener(search, hopeless_columns(search), goals, options.least_edge).run(first_squarings);
+  return Evener(search, goals, options).run(first_squarings);
 }
 
 int even_out_worst(QuadMesh& quads, std::vector<SurfacePoint>& places,
                    std::vector<Vec3>& directions, const SurfaceProjector& projector,
-                   const WallShape& shape, std::span<const double> least_edge) {
+                   const WallShape& shape, const EvenOutOptions& options) {
   ColumnSearch search(quads, places, directions, projector, shape);
-  const double poor = std::min(poor_jacobian, least_jacobian(search) + worst_range);
+  const double poor = std::min(poor_jacobian, least_scaled_jacobian(options.columns) + worst_range);
   const Goals goals{poor, worst_split_weight, first_squarings + 1, true};
-  return Evener(search, hopeless_columns(search), goals, least_edge).run(most_squarings);
+  return Evener(search, goals, options).run(most_squarings);
 }
 
 }  // namespace hexwall

@@ -3,14 +3,15 @@
 #include <span>
 #include <vector>
 
-#include "hex/column.h"
+#include "hex/column_quality.h"
 #include "quad/quad_mesh.h"
 #include "surface/projector.h"
 
 namespace hexwall {
 
 struct EvenOutOptions {
-  std::span<const double> least_edge;  ///< #V lengths that no edge there falls short of
+  std::span<const ColumnQuality> columns;  ///< #Q of the wall as it is
+  std::span<const double> least_edge;      ///< #V lengths that no edge there falls short of
   double face_tets = 0.0;  ///< from 0 to 1, or above: weight of faces that OpenFOAM can split
                            ///< (`has_face_tets`), at the cost of scaled Jacobians
 };
@@ -25,9 +26,10 @@ int even_out(QuadMesh& quads, std::vector<SurfacePoint>& places, std::vector<Vec
              const EvenOutOptions& options);
 
 /// Raises the very worst hexes further, of what `even_out` left: the same with powers up to the
-/// 64th, which come close to the least scaled Jacobian itself. \return vertices moved or turned.
+/// 64th, which come close to the least scaled Jacobian itself, and no face that OpenFOAM can split
+/// is lost. \return vertices moved or turned.
 int even_out_worst(QuadMesh& quads, std::vector<SurfacePoint>& places,
                    std::vector<Vec3>& directions, const SurfaceProjector& projector,
-                   const WallShape& shape, std::span<const double> least_edge);
+                   const WallShape& shape, const EvenOutOptions& options);
 
 }  // namespace hexwall

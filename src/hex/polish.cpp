@@ -139,11 +139,11 @@ class Mender {
 
 PolishResult polish(QuadMesh& quads, std::vector<SurfacePoint>& places,
                     std::vector<Vec3>& directions, const SurfaceProjector& projector,
-                    const WallShape& shape) {
+                    const WallShape& shape, std::span<const ColumnQuality> columns) {
   ColumnSearch search(quads, places, directions, projector, shape);
   PolishResult result;
   std::vector<char> moved(quads.points.size(), 0);
-  Mender(search, hopeless_columns(search)).run(moved, result);
+  Mender(search, hopeless_columns(columns)).run(moved, result);
   result.moved = static_cast<int>(std::count(moved.begin(), moved.end(), 1));
   return result;
 }

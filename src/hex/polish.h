@@ -1,8 +1,9 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
-#include "hex/column.h"
+#include "hex/column_quality.h"
 #include "quad/quad_mesh.h"
 #include "surface/projector.h"
 
@@ -20,8 +21,9 @@ struct PolishResult {
 /// can be split. All other vertices stay. Vertices of boundary loops stay where they are.
 /// \param places #V triangle and position of each vertex of `quads`; updated with `quads.points`.
 /// \param directions #V unit vectors; updated. \param shape the wall as asked for.
+/// \param columns #Q of it.
 PolishResult polish(QuadMesh& quads, std::vector<SurfacePoint>& places,
                     std::vector<Vec3>& directions, const SurfaceProjector& projector,
-                    const WallShape& shape);
+                    const WallShape& shape, std::span<const ColumnQuality> columns);
 
 }  // namespace hexwall

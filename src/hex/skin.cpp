@@ -52,17 +52,11 @@ std::vector<int> Skin::in_doubt(const std::vector<Vec3>& points,
     for (const Vec3& corner : corners) boxes[i].extend(corner);
     doubtful[i] = scaled_jacobian(corners) < surely_convex ? 1 : 0;
   });
-  for_box_pairs(boxes, [&](const std::vector<std::pair<int, int>>& pairs) {
-    std::vector<char> is_doubt(pairs.size());
-    parallel_for(pairs.size(), [&](std::size_t i) {
-      const auto& [f, g] = pairs[i];
-      is_doubt[i] =
-          separation.is_certain(faces_[faces[f]].vertices, faces_[faces[g]].vertices) ? 0 : 1;
-    });
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
-      if (is_doubt[i] != 0) doubtful[pairs[i].first] = doubtful[pairs[i].second] = 1;
-    }
-  });
+  for (const auto& [f, g] : box_pairs(boxes, [&](int a, int b) {
+         return !separation.is_certain(faces_[faces[a]].vertices, faces_[faces[b]].vertices);
+       })) {
+    doubtful[f] = doubtful[g] = 1;
+  }
   std::vector<int> result;
   for (std::size_t i = 0; i < faces.size(); ++i) {
     if (doubtful[i] != 0) result.push_back(faces[i]);

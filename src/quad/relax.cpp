@@ -20,17 +20,17 @@ using Corners = std::array<Vec3, 4>;
 // right on edges of no length, but cells on them are slivers.
 constexpr double least_edge = 0.05;
 
-// The rectangle nearest to a quad in turn and position, its sides pulled towards the target size.
-Corners fitted_rectangle(const Corners& p, const QuadSize& size, double size_weight) {
+// The rectangle nearest to a quad in turn and position, its sides half way to the target size.
+Corners fitted_rectangle(const Corners& p, const QuadSize& size) {
   const Vec3 center = 0.25 * (p[0] + p[1] + p[2] + p[3]);
   const Vec3 along_x = 0.5 * (p[1] - p[0] + p[2] - p[3]);
   const Vec3 along_y = 0.5 * (p[3] - p[0] + p[2] - p[1]);
   const Vec3 normal = along_x.cross(along_y).normalized();
-  const auto pulled = [&](double length, double target) {
-    return length > 0.0 ? length * std::pow(target / length, size_weight) : target;
+  const auto half_way = [](double length, double target) {
+    return length > 0.0 ? std::sqrt(length * target) : target;
   };
-  const double width = pulled(along_x.norm(), size.along_x);
-  const double height = pulled(along_y.norm(), size.along_y);
+  const double width = half_way(along_x.norm(), size.along_x);
+  const double height = half_way(along_y.norm(), size.along_y);
   const Vec3 u = (width * along_x + height * along_y.cross(normal)).normalized();
   const Vec3 half_u = 0.5 * width * u;
   const Vec3 half_v = 0.5 * height * normal.cross(u);
@@ -41,12 +41,11 @@ Corners fitted_rectangle(const Corners& p, const QuadSize& size, double size_wei
 class Relaxer {
  public:
   Relaxer(QuadMesh& mesh, std::vector<int>& face, const std::vector<QuadSize>& size,
-          const TriangleSurface& surface, const Connectivity& connectivity,
-          const RelaxOptions& options)
+          const TriangleSurface& surface, const Connectivity& connectivity, int iterations)
       : mesh_(mesh),
         face_(face),
         size_(size),
-        options_(options),
+        iterations_(iterations),
         projector_(surface, connectivity),
         first_corner_(mesh.points.size() + 1, 0),
         corners_(4 * mesh.quads.size()),
@@ -69,7 +68,7 @@ class Relaxer {
     parallel_for(jacobian_.size(), [&](std::size_t q) {
       jacobian_[q] = scaled_jacobian(corners_of(mesh_, static_cast<int>(q)));
     });
-    for (int i = 0; i < options_.iterations; ++i) {
+    for (int i = 0; i < iterations_; ++i) {
       step();
       ++result_.iterations;
     }
@@ -110,8 +109,7 @@ class Relaxer {
 
   void step() {
     parallel_for(mesh_.quads.size(), [&](std::size_t q) {
-      targets_[q] =
-          fitted_rectangle(corners_of(mesh_, static_cast<int>(q)), size_[q], options_.size_weight);
+      targets_[q] = fitted_rectangle(corners_of(mesh_, static_cast<int>(q)), size_[q]);
     });
     moved_ = mesh_.points;
     moved_face_ = face_;
@@ -211,7 +209,7 @@ class Relaxer {
   QuadMesh& mesh_;
   std::vector<int>& face_;
   const std::vector<QuadSize>& size_;
-  const RelaxOptions& options_;
+  int iterations_;
   SurfaceProjector projector_;
   std::vector<LoopCurve> loops_;
   std::vector<int> first_corner_, corners_;
@@ -227,8 +225,8 @@ class Relaxer {
 
 RelaxResult relax(QuadMesh& mesh, std::vector<int>& face, const std::vector<QuadSize>& size,
                   const TriangleSurface& surface, const Connectivity& connectivity,
-                  const RelaxOptions& options) {
-  return Relaxer(mesh, face, size, surface, connectivity, options).run();
+                  int iterations) {
+  return Relaxer(mesh, face, size, surface, connectivity, iterations).run();
 }
 
 }  // namespace hexwall

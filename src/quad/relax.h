@@ -8,11 +8,6 @@
 
 namespace hexwall {
 
-struct RelaxOptions {
-  int iterations = 60;
-  double size_weight = 0.5;  ///< how hard each rectangle is pulled to its target size, 0 … 1
-};
-
 struct RelaxResult {
   int iterations = 60;
   int frozen_moves = 0;  ///< vertex moves refused because a quad would have become worse than the
@@ -27,15 +22,15 @@ struct QuadSize {
 
 /// Moves the vertices of a quad mesh on the input surface towards rectangles of given sizes.
 ///
-/// Each iteration fits a rectangle to every quad and moves each vertex to the mean of its corners
-/// (shape-up, after Bouaziz et al., "Shape-Up", SGP 2012, with Jacobi steps), then back on the
-/// surface; vertices of a boundary loop slide along their loop. A step never lowers the minimum
-/// scaled Jacobian of the mesh, inverts or turns over no quad that was right, and shortens no edge
-/// below 5 % of the target size.
+/// Each iteration fits a rectangle to every quad, half way to its target size, and moves each
+/// vertex to the mean of its corners (shape-up, after Bouaziz et al., "Shape-Up", SGP 2012, with
+/// Jacobi steps), then back on the surface; vertices of a boundary loop slide along their loop. A
+/// step never lowers the minimum scaled Jacobian of the mesh, inverts or turns over no quad that
+/// was right, and shortens no edge below 5 % of the target size.
 /// \param face #V triangle of `surface` on which each vertex lies; updated.
 /// \param size #Q target of each quad.
 RelaxResult relax(QuadMesh& mesh, std::vector<int>& face, const std::vector<QuadSize>& size,
                   const TriangleSurface& surface, const Connectivity& connectivity,
-                  const RelaxOptions& options = {});
+                  int iterations = 60);
 
 }  // namespace hexwall

@@ -7,7 +7,6 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
-#include "core/parallel.h"
 #include "surface/separation.h"
 
 namespace hexwall {
@@ -25,37 +24,32 @@ class Finder {
     for (const Vec3& p : surface.points) points_.emplace_back(p.x(), p.y(), p.z());
   }
 
-  std::vector<Pair> run(const std::vector<int>& among) {
+  std::vector<Pair> run(const std::vector<int>& among) const {
+    std::vector<Pair> found;
     std::vector<int> faces;
     std::vector<Eigen::AlignedBox3d> boxes;
     for (const int f : among) {
       const auto& [a, b, c] = surface_.triangles[f];
       if (CGAL::collinear(points_[a], points_[b], points_[c])) {
-        found_.emplace_back(f, f);
+        found.emplace_back(f, f);
         continue;
       }
       faces.push_back(f);
       boxes.emplace_back(surface_.points[a]);
       boxes.back().extend(surface_.points[b]).extend(surface_.points[c]);
     }
-    for_box_pairs(boxes, [&](const std::vector<Pair>& pairs) { look_at(pairs, faces); });
-    std::sort(found_.begin(), found_.end());
-    return std::move(found_);
+    for (const auto& [f, g] : box_pairs(boxes, [&](int a, int b) {
+           const auto& s = surface_.triangles[faces[a]];
+           const auto& t = surface_.triangles[faces[b]];
+           return !separation_.is_certain(s, t) && meet(s, t);
+         })) {
+      found.emplace_back(faces[f], faces[g]);
+    }
+    std::sort(found.begin(), found.end());
+    return found;
   }
 
  private:
-  void look_at(const std::vector<Pair>& pairs, const std::vector<int>& faces) {
-    std::vector<char> meets(pairs.size());
-    parallel_for(pairs.size(), [&](std::size_t i) {
-      const auto& s = surface_.triangles[faces[pairs[i].first]];
-      const auto& t = surface_.triangles[faces[pairs[i].second]];
-      meets[i] = !separation_.is_certain(s, t) && meet(s, t) ? 1 : 0;
-    });
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
-      if (meets[i] != 0) found_.emplace_back(faces[pairs[i].first], faces[pairs[i].second]);
-    }
-  }
-
   // Anywhere but in common vertices and edges.
   bool meet(std::array<int, 3> s, std::array<int, 3> t) const {
     // Common vertices come first, in the same order.
@@ -91,7 +85,6 @@ class Finder {
   const TriangleSurface& surface_;
   Separation separation_;
   std::vector<Point> points_;
-  std::vector<Pair> found_;
 };
 
 }  // namespace

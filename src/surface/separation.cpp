@@ -8,6 +8,8 @@
 #include <CGAL/Bbox_3.h>
 #include <CGAL/box_intersection_d.h>
 
+#include "core/parallel.h"
+
 namespace hexwall {
 namespace {
 
@@ -17,10 +19,42 @@ using Box =
 
 // Below as many boxes CGAL scans them instead of dividing them further: measured.
 constexpr std::ptrdiff_t cutoff = 1000;
-// As many pairs are looked at together.
-constexpr std::size_t batch = std::size_t{1} << 20;
+// About as many boxes begin in a slab.
+constexpr std::size_t boxes_per_slab = 8192;
 // Of the largest coordinate: rounding is far below it.
 constexpr double certain = 1e-10;
+
+/// Divides space across its longest axis so that about as many boxes begin in each slab.
+class Slabs {
+ public:
+  explicit Slabs(const std::vector<Eigen::AlignedBox3d>& boxes) {
+    Eigen::AlignedBox3d all;
+    for (const Eigen::AlignedBox3d& box : boxes) all.extend(box);
+    if (!boxes.empty()) all.sizes().maxCoeff(&axis_);
+    std::vector<double> begins;
+    begins.reserve(boxes.size());
+    for (const Eigen::AlignedBox3d& box : boxes) begins.push_back(box.min()[axis_]);
+    const std::size_t count = 1 + boxes.size() / boxes_per_slab;
+    for (std::size_t slab = 1; slab < count; ++slab) {
+      const auto cut = begins.begin() + static_cast<std::ptrdiff_t>(slab * begins.size() / count);
+      std::nth_element(begins.begin(), cut, begins.end());
+      cuts_.push_back(*cut);
+    }
+  }
+
+  std::size_t count() const { return cuts_.size() + 1; }
+  /// Slabs in which a box begins and ends.
+  std::size_t first(const Eigen::AlignedBox3d& box) const { return slab_of(box.min()[axis_]); }
+  std::size_t last(const Eigen::AlignedBox3d& box) const { return slab_of(box.max()[axis_]); }
+
+ private:
+  std::size_t slab_of(double x) const {
+    return std::upper_bound(cuts_.begin(), cuts_.end(), x) - cuts_.begin();
+  }
+
+  int axis_ = 0;
+  std::vector<double> cuts_;  // rising
+};
 
 /// Corners that two faces have in common.
 struct Shared {
@@ -85,30 +119,35 @@ bool Separation::is_certain(std::span<const int> a, std::span<const int> b) cons
   return least_of_a > gap_ && most_of_b < -gap_;
 }
 
-void for_box_pairs(const std::vector<Eigen::AlignedBox3d>& boxes,
-                   const std::function<void(const std::vector<std::pair<int, int>>&)>& look) {
-  std::vector<Box> list;
-  list.reserve(boxes.size());
-  for (const Eigen::AlignedBox3d& box : boxes) {
-    const Vec3& low = box.min();
-    const Vec3& high = box.max();
-    list.emplace_back(CGAL::Bbox_3(low.x(), low.y(), low.z(), high.x(), high.y(), high.z()),
-                      static_cast<int>(list.size()));
-  }
-  std::vector<const Box*> order;
-  order.reserve(list.size());
-  for (const Box& box : list) order.push_back(&box);
+std::vector<std::pair<int, int>> box_pairs(const std::vector<Eigen::AlignedBox3d>& boxes,
+                                           const std::function<bool(int, int)>& is_wanted) {
+  const Slabs slabs(boxes);
+  std::vector<std::vector<std::pair<int, int>>> found(slabs.count());
+  parallel_tasks(found.size(), [&](std::size_t slab) {
+    std::vector<Box> list;
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+      if (slab < slabs.first(boxes[i]) || slab > slabs.last(boxes[i])) continue;
+      const Vec3& low = boxes[i].min();
+      const Vec3& high = boxes[i].max();
+      list.emplace_back(CGAL::Bbox_3(low.x(), low.y(), low.z(), high.x(), high.y(), high.z()),
+                        static_cast<int>(i));
+    }
+    std::vector<const Box*> order;
+    order.reserve(list.size());
+    for (const Box& box : list) order.push_back(&box);
+    CGAL::box_self_intersection_d(
+        order.begin(), order.end(),
+        [&](const Box* a, const Box* b) {
+          const auto [i, j] = std::minmax({a->info(), b->info()});
+          const bool is_here = std::max(slabs.first(boxes[i]), slabs.first(boxes[j])) == slab;
+          if (is_here && is_wanted(i, j)) found[slab].emplace_back(i, j);
+        },
+        cutoff);
+  });
   std::vector<std::pair<int, int>> pairs;
-  CGAL::box_self_intersection_d(
-      order.begin(), order.end(),
-      [&](const Box* a, const Box* b) {
-        pairs.emplace_back(std::min(a->info(), b->info()), std::max(a->info(), b->info()));
-        if (pairs.size() < batch) return;
-        look(pairs);
-        pairs.clear();
-      },
-      cutoff);
-  look(pairs);
+  for (const auto& some : found) pairs.insert(pairs.end(), some.begin(), some.end());
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
 }
 
 }  // namespace hexwall

@@ -28,9 +28,9 @@ class Separation {
   double gap_;  // what rounding leaves in doubt
 };
 
-/// Calls look(pairs) with the pairs of numbers of boxes that meet, the lower one first, some at a
-/// time and in no order.
-void for_box_pairs(const std::vector<Eigen::AlignedBox3d>& boxes,
-                   const std::function<void(const std::vector<std::pair<int, int>>&)>& look);
+/// The pairs of numbers of boxes that meet and are wanted, the lower one first, in rising order.
+/// \param is_wanted is asked of each pair that meets, the lower number first, once, in parallel.
+std::vector<std::pair<int, int>> box_pairs(const std::vector<Eigen::AlignedBox3d>& boxes,
+                                           const std::function<bool(int, int)>& is_wanted);
 
 }  // namespace hexwall

@@ -5,9 +5,11 @@
 
 #include "pipeline.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 
 #include <gtest/gtest.h>
 
@@ -63,7 +65,10 @@ void require_valid_quads(const PipelineResult& r) {
 }
 
 void require_on_surface(const PipelineResult& r) {
-  const double tolerance = 1e-6 * bounding_box_diagonal(r.surface);
+  double farthest = 0.0;
+  for (const Vec3& p : r.surface.points) farthest = std::max(farthest, p.cwiseAbs().maxCoeff());
+  const double tolerance = 1e-6 * bounding_box_diagonal(r.surface) +
+                           16.0 * std::numeric_limits<double>::epsilon() * farthest;
   const SurfaceDistance distance(r.surface);
   for (const Vec3& p : r.quads.points) {
     require(distance(p).distance <= tolerance, "a quad's vertex is off the surface");

@@ -18,9 +18,7 @@ QuadMesh relaxed(QuadMesh mesh, const std::vector<QuadSize>& sizes) {
                                 {{0, 1, 2}, {0, 2, 3}}};
   std::vector<int> face(mesh.points.size(), 0);
   mesh.loop_of_vertex.assign(mesh.points.size(), -1);
-  RelaxOptions options;
-  options.iterations = 1;
-  relax(mesh, face, sizes, surface, Connectivity(4, surface.triangles), options);
+  relax(mesh, face, sizes, surface, Connectivity(4, surface.triangles), 1);
   return mesh;
 }
 
