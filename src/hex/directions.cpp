@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
+#include <span>
 
 #include <Eigen/Geometry>
 
@@ -52,16 +54,11 @@ class Smoother {
         planes_(planes),
         shape_(shape),
         directions_(directions),
-        edges_(edges_of(quads)),
-        bad_(quads.quads.size(), 1),
-        corner_normals_(directions.size()) {
-    for (std::size_t q = 0; q < quads.quads.size(); ++q) {
-      const auto p = corners_of(quads, static_cast<int>(q));
-      for (int k = 0; k < 4; ++k) {
-        const Vec3 u = (p[(k + 1) % 4] - p[k]).normalized();
-        corner_normals_[quads.quads[q][k]].push_back(u.cross((p[(k + 3) % 4] - p[k]).normalized()));
-      }
-    }
+        first_neighbour_(directions.size() + 1, 0),
+        first_corner_(directions.size() + 1, 0),
+        bad_(quads.quads.size(), 1) {
+    find_neighbours();
+    find_corners();
   }
 
   int run() {
@@ -77,6 +74,34 @@ class Smoother {
   }
 
  private:
+  // In ascending order, as the edges are.
+  void find_neighbours() {
+    const std::vector<std::array<int, 2>> edges = edges_of(quads_);
+    for (const auto& [a, b] : edges) {
+      ++first_neighbour_[a + 1];
+      ++first_neighbour_[b + 1];
+    }
+    std::partial_sum(first_neighbour_.begin(), first_neighbour_.end(), first_neighbour_.begin());
+    neighbours_.resize(first_neighbour_.back());
+    std::vector<int> next(first_neighbour_.begin(), first_neighbour_.end() - 1);
+    for (const auto& [a, b] : edges) {
+      neighbours_[next[a]++] = b;
+      neighbours_[next[b]++] = a;
+    }
+  }
+
+  void find_corners() {
+    for (const auto& quad : quads_.quads) {
+      for (const int v : quad) ++first_corner_[v + 1];
+    }
+    std::partial_sum(first_corner_.begin(), first_corner_.end(), first_corner_.begin());
+    corners_.resize(first_corner_.back());
+    std::vector<int> next(first_corner_.begin(), first_corner_.end() - 1);
+    for (int q = 0; q < static_cast<int>(quads_.quads.size()); ++q) {
+      for (int k = 0; k < 4; ++k) corners_[next[quads_.quads[q][k]]++] = 4 * q + k;
+    }
+  }
+
   bool is_bad(std::size_t q) const {
     const Column column = column_of(quads_, static_cast<int>(q), directions_, shape_);
     // A quad that is itself poor can't give better hexes.
@@ -101,35 +126,43 @@ class Smoother {
       for (const int v : quads_.quads[q]) core[v] = 1;
     }
     std::vector<char> marked = core;
-    for (const auto& [a, b] : edges_) {
-      if (core[a] != 0) marked[b] = 1;
-      if (core[b] != 0) marked[a] = 1;
+    for (std::size_t v = 0; v < core.size(); ++v) {
+      if (core[v] == 0) continue;
+      for (const int w : neighbours_of(v)) marked[w] = 1;
     }
     return marked;
   }
 
   void average(const std::vector<char>& marked) {
-    std::vector<Vec3> sum = directions_;
-    for (const auto& [a, b] : edges_) {
-      sum[a] += directions_[b];
-      sum[b] += directions_[a];
-    }
-    for (std::size_t v = 0; v < directions_.size(); ++v) {
-      if (marked[v] == 0) continue;
+    const std::vector<Vec3> before = directions_;
+    parallel_for(directions_.size(), [&](std::size_t v) {
+      if (marked[v] == 0) return;
+      Vec3 direction = before[v];
+      for (const int w : neighbours_of(v)) direction += before[w];
+      direction.normalize();
       const int loop = quads_.loop_of_vertex[v];
-      Vec3 direction = sum[v].normalized();
       if (loop >= 0 && planes_[loop].is_planar()) {
-        direction = turned_to(direction, planes_[loop], directions_[v].dot(planes_[loop].normal));
+        direction = turned_to(direction, planes_[loop], before[v].dot(planes_[loop].normal));
       }
-      const double before = steepness(v, directions_[v]);
-      if (steepness(v, direction) >= std::min(least_steepness, before)) directions_[v] = direction;
-    }
+      const double least = std::min(least_steepness, steepness(v, before[v]));
+      if (steepness(v, direction) >= least) directions_[v] = direction;
+    });
+  }
+
+  std::span<const int> neighbours_of(std::size_t v) const {
+    return {neighbours_.begin() + first_neighbour_[v],
+            neighbours_.begin() + first_neighbour_[v + 1]};
   }
 
   // Least scaled Jacobian that a direction gives at the corners around a vertex, for a thin wall.
   double steepness(std::size_t v, const Vec3& direction) const {
     double least = 1.0;
-    for (const Vec3& normal : corner_normals_[v]) least = std::min(least, normal.dot(direction));
+    for (int i = first_corner_[v]; i < first_corner_[v + 1]; ++i) {
+      const auto p = corners_of(quads_, corners_[i] / 4);
+      const int k = corners_[i] % 4;
+      const Vec3 u = (p[(k + 1) % 4] - p[k]).normalized();
+      least = std::min(least, u.cross((p[(k + 3) % 4] - p[k]).normalized()).dot(direction));
+    }
     return least;
   }
 
@@ -137,9 +170,9 @@ class Smoother {
   const std::vector<LoopPlane>& planes_;
   const WallShape& shape_;
   std::vector<Vec3>& directions_;
-  std::vector<std::array<int, 2>> edges_;
+  std::vector<int> first_neighbour_, neighbours_;  // of each vertex
+  std::vector<int> first_corner_, corners_;        // 4 q + k for each corner k of a quad q there
   std::vector<char> bad_;                          // #Q
-  std::vector<std::vector<Vec3>> corner_normals_;  // of the quads around each vertex
 };
 
 }  // namespace

@@ -263,6 +263,7 @@ std::vector<Cap> flat_caps(const TriangleSurface& surface) {
     std::vector<int> region =
         grow_region(seed, neighbours, [&](int f) { return is_parallel(surface, f, normal); });
     for (const int f : region) tried[f] = 1;
+    if (region.size() + 2 < least_rim_edges) continue;  // a disk has no more rim edges
     auto disk = as_disk(surface, neighbours, std::move(region));
     if (disk && is_cap(*disk, shape_of(surface, *disk))) disks.push_back(std::move(*disk));
   }

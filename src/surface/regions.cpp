@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 #include <unordered_set>
 
 #include "surface/edge_uses.h"
@@ -73,21 +72,24 @@ std::optional<std::vector<int>> single_cycle(const std::vector<std::array<int, 2
 std::optional<Disk> as_disk(const TriangleSurface& surface,
                             const std::vector<FaceNeighbours>& neighbours,
                             std::vector<int> triangles) {
-  const std::unordered_set<int> region(triangles.begin(), triangles.end());
+  std::vector<int> region = triangles;
+  std::sort(region.begin(), region.end());
   Disk disk;
-  std::set<int> vertices;
+  std::vector<int> vertices;
   std::vector<std::array<int, 2>> edges;
   for (const int f : triangles) {
     const auto& t = surface.triangles[f];
-    vertices.insert(t.begin(), t.end());
+    vertices.insert(vertices.end(), t.begin(), t.end());
     for (int k = 0; k < 3; ++k) {
       const int g = neighbours[f][k];
       if (g < 0) return std::nullopt;
-      if (region.contains(g)) continue;
+      if (std::binary_search(region.begin(), region.end(), g)) continue;
       disk.sides.push_back({f, k, g});
       edges.push_back({t[k], t[(k + 1) % 3]});
     }
   }
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
   const std::size_t doubled_edge_count = 3 * triangles.size() + edges.size();
   if (2 * vertices.size() + 2 * triangles.size() != doubled_edge_count + 2) return std::nullopt;
   auto rim = single_cycle(edges);
