@@ -154,30 +154,6 @@ Bins bins_around(const std::vector<double>& values, double step, int count) {
   return {step * std::floor(*least / step), step * std::ceil(*greatest / step), count};
 }
 
-std::string plots(const PipelineResult& r, const Json& report) {
-  const AnyMesh mesh = as_any_mesh(r.quads);
-  std::vector<int> all(r.quads.quads.size());
-  for (std::size_t q = 0; q < all.size(); ++q) all[q] = static_cast<int>(q);
-  CornerValues corners = measure_corners(mesh, all);
-  Bins ratio_bins = log_ratio_bins(corners.log_edge_ratio);
-  ratio_bins.count = 80;
-  const Bins near_right = bins_around(corners.angle, 10.0, 45);
-  const Bins up_to_one{bins_around(r.wall_scaled_jacobian, 0.1, 0).low, 1.0, 40};
-  const Distribution angles = distribution_of(std::move(corners.angle), near_right);
-  const Distribution ratios = distribution_of(std::move(corners.log_edge_ratio), ratio_bins);
-  const Distribution jacobians = distribution_of(r.wall_scaled_jacobian, up_to_one);
-  const auto& iterations = report["energy"]["iterations"];
-  std::string html = "<div class=\"grid\">\n";
-  html += figure(svg_histogram(angles.histogram, "degrees", 90.0), "Corner angles of the quads.");
-  html += figure(svg_histogram(ratios.histogram, "ln(edge / next edge)", 0.0),
-                 "Logarithms of the ratios of adjacent edge lengths of the quads.");
-  html += figure(svg_histogram(jacobians.histogram, "scaled Jacobian", 1.0),
-                 "Scaled Jacobians of the hexahedra.");
-  html += figure(svg_curve(iterations.get<std::vector<double>>(), "iteration", "energy"),
-                 "Energy (area distortion) of the best descent.");
-  return section("Distributions", html + "</div>\n");
-}
-
 std::string opening_rows(const Json& report) {
   std::string html =
       "<table>\n<tr><th>opening</th><th class=\"n\">radius</th><th>centre</th>"
@@ -288,6 +264,30 @@ std::string view(const PageParts& parts) {
 
 }  // namespace
 
+std::string distribution_plots(const PipelineResult& r) {
+  const AnyMesh mesh = as_any_mesh(r.quads);
+  std::vector<int> all(r.quads.quads.size());
+  for (std::size_t q = 0; q < all.size(); ++q) all[q] = static_cast<int>(q);
+  CornerValues corners = measure_corners(mesh, all);
+  Bins ratio_bins = log_ratio_bins(corners.log_edge_ratio);
+  ratio_bins.count = 80;
+  const Bins near_right = bins_around(corners.angle, 10.0, 45);
+  const Bins up_to_one{bins_around(r.wall_scaled_jacobian, 0.1, 0).low, 1.0, 40};
+  const Distribution angles = distribution_of(std::move(corners.angle), near_right);
+  const Distribution ratios = distribution_of(std::move(corners.log_edge_ratio), ratio_bins);
+  const Distribution jacobians = distribution_of(r.wall_scaled_jacobian, up_to_one);
+  const OptimumResult& optimum = r.solution.optimum;
+  std::string html = "<div class=\"grid\">\n";
+  html += figure(svg_histogram(angles.histogram, "degrees", 90.0), "Corner angles of the quads.");
+  html += figure(svg_histogram(ratios.histogram, "ln(edge / next edge)", 0.0),
+                 "Logarithms of the ratios of adjacent edge lengths of the quads.");
+  html += figure(svg_histogram(jacobians.histogram, "scaled Jacobian", 1.0),
+                 "Scaled Jacobians of the hexahedra.");
+  html += figure(svg_curve(optimum.descents[optimum.best].iterations, "iteration", "energy"),
+                 "Energy (area distortion) of the best descent.");
+  return section("Distributions", html + "</div>\n");
+}
+
 std::string report_page(const PipelineResult& r, const Json& report, const PageParts& parts) {
   const std::string file =
       std::filesystem::path(report["input"]["file"].get<std::string>()).filename().string();
@@ -301,7 +301,7 @@ std::string report_page(const PipelineResult& r, const Json& report, const PageP
   html += facts(r, report);
   html += view(parts);
   html += pictures(parts);
-  html += plots(r, report);
+  html += parts.distributions;
   html += counts(report);
   html += times(report);
   if (!parts.view_script.empty()) {

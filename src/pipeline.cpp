@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "core/errors.h"
+#include "core/parallel.h"
 #include "foliation/local_radius.h"
 #include "surface/counted.h"
 #include "surface/loop_shape.h"
@@ -306,9 +307,18 @@ void run_stages(const PrepareResult& input, const PipelineOptions& options,
                               r.foliation, r.spacing, r.numbers);
   clock.begin("relax");
   const SurfaceProjector projector(r.surface, r.connectivity);
-  std::vector<SurfacePoint> places = relax_quads(r, projector);
+  std::vector<SurfacePoint> places;
+  std::vector<double> radius;
+  parallel_tasks(2, [&](std::size_t task) {
+    if (task == 0) {
+      places = relax_quads(r, projector);
+    } else {
+      const FormSolution& s = r.solution;
+      radius = local_radius(s.refined.surface, s.connectivity, s.form, r.foliation, s.first_pole());
+    }
+  });
   clock.begin("wall");
-  make_wall(r, places, projector);
+  make_wall(r, places, projector, radius);
   find_extensions(input.extension, places, r);
   add_warnings(r);
   clock.end();

@@ -11,7 +11,6 @@
 #include <fmt/format.h>
 
 #include "core/errors.h"
-#include "foliation/local_radius.h"
 #include "hex/directions.h"
 #include "hex/even_out.h"
 #include "hex/mend_face_tets.h"
@@ -77,10 +76,9 @@ double loop_mean(const std::vector<double>& values, const std::vector<int>& loop
 
 // Local radius at the quads' vertices, taken where they lay before relaxation; the vertices that
 // close a pole have that of its loop.
-std::vector<double> radii_of_vertices(const PipelineResult& r) {
+std::vector<double> radii_of_vertices(const PipelineResult& r,
+                                      const std::vector<double>& of_surface) {
   const FormSolution& s = r.solution;
-  const std::vector<double> of_surface =
-      local_radius(s.refined.surface, s.connectivity, s.form, r.foliation, s.first_pole());
   std::vector<SurfacePoint> places;
   for (std::size_t v = 0; v < r.conformal.face.size(); ++v) {
     places.push_back({r.conformal.face[v], r.conformal.mesh.points[v]});
@@ -336,10 +334,10 @@ void check_layer_options(const PipelineOptions& options) {
 }
 
 void make_wall(PipelineResult& r, std::vector<SurfacePoint>& places,
-               const SurfaceProjector& projector) {
+               const SurfaceProjector& projector, const std::vector<double>& radius) {
   check_field(r, r.options.outward);
   check_field(r, r.options.inward);
-  r.radius = radii_of_vertices(r);
+  r.radius = radii_of_vertices(r, radius);
   fill_in_defaults(r);
   r.layers = plan_layers(groups_of(r.options.outward, "layer_"),
                          groups_of(r.options.inward, "lumen_layer_"));

@@ -55,8 +55,11 @@ void write_results(const MeshOptions& c, const PipelineResult& result, const fs:
   if (c.write_basis) {
     tasks.emplace_back([&] { write_vtp(folder / "basis.vtp", basis_data(result)); });
   }
-  if (!c.no_report && !parts.view_script.empty()) {
-    tasks.emplace_back([&] { parts.view = view_data(result); });
+  if (!c.no_report) {
+    tasks.emplace_back([&] { parts.distributions = distribution_plots(result); });
+    if (!parts.view_script.empty()) {
+      tasks.emplace_back([&] { parts.view = view_data(result); });
+    }
   }
   parallel_tasks(tasks.size(), [&](std::size_t i) { tasks[i](); });
 }
