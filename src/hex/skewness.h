@@ -13,16 +13,29 @@ namespace hexwall {
 /// direction. 0 is best; checkMesh reports faces above 4.
 class Skewness {
  public:
-  explicit Skewness(const QuadMesh& quads);
+  /// \param levels of one side, see `LayerPlan`.
+  Skewness(const QuadMesh& quads, const std::vector<Vec3>& directions, std::vector<double> levels);
 
-  /// Quads whose column has a face above `limit`. Sorted. \param levels of one side, see
-  /// `LayerPlan`.
-  std::vector<int> quads_above(double limit, const std::vector<Vec3>& directions,
-                               const WallShape& shape, const std::vector<double>& levels) const;
+  /// Quads whose column has a face above `limit`. Sorted. What has not changed since the last call
+  /// is not computed again.
+  std::vector<int> quads_above(double limit, const WallShape& shape);
 
  private:
+  Vec3 point(int v, int level) const;
+  const Vec3& center(int q, int layer) const { return centers_[q * layers_ + layer]; }
+  void find_centers(int q);
+  double of_column(int q) const;
+  double above_edge(const QuadEdge& edge) const;
+
   const QuadMesh& quads_;
+  const std::vector<Vec3>& directions_;
+  std::vector<double> levels_;
+  std::ptrdiff_t layers_;
   std::vector<QuadEdge> edges_;
+  WallShape shape_;                 // of the last call
+  std::vector<Vec3> centers_;       // of the cells, column by column
+  std::vector<double> of_column_;   // #Q greatest skewness between its layers and of its skins
+  std::vector<double> above_edge_;  // #E the same of the faces above an edge
 };
 
 }  // namespace hexwall

@@ -42,21 +42,21 @@ std::vector<Vec3> Skin::points(const std::vector<double>& thickness) const {
   return points;
 }
 
-std::vector<int> Skin::in_doubt(const std::vector<Vec3>& points,
-                                const std::vector<int>& faces) const {
+std::vector<int> Skin::in_doubt(const std::vector<Vec3>& points, const std::vector<int>& faces,
+                                const std::vector<char>& is_active) const {
   const Separation separation(points);
   std::vector<Eigen::AlignedBox3d> boxes(faces.size());
   std::vector<char> doubtful(faces.size());
   parallel_for(faces.size(), [&](std::size_t i) {
     const std::array<Vec3, 4> corners = corners_of(points, faces_[faces[i]].vertices);
     for (const Vec3& corner : corners) boxes[i].extend(corner);
-    doubtful[i] = scaled_jacobian(corners) < surely_convex ? 1 : 0;
+    const bool acts = is_active.empty() || is_active[i] != 0;
+    doubtful[i] = acts && scaled_jacobian(corners) < surely_convex ? 1 : 0;
   });
-  for (const auto& [f, g] : box_pairs(boxes, [&](int a, int b) {
-         return !separation.is_certain(faces_[faces[a]].vertices, faces_[faces[b]].vertices);
-       })) {
-    doubtful[f] = doubtful[g] = 1;
-  }
+  const auto may_meet = [&](int a, int b) {
+    return !separation.is_certain(faces_[faces[a]].vertices, faces_[faces[b]].vertices);
+  };
+  for (const auto& [f, g] : box_pairs(boxes, may_meet, is_active)) doubtful[f] = doubtful[g] = 1;
   std::vector<int> result;
   for (std::size_t i = 0; i < faces.size(); ++i) {
     if (doubtful[i] != 0) result.push_back(faces[i]);
@@ -64,9 +64,21 @@ std::vector<int> Skin::in_doubt(const std::vector<Vec3>& points,
   return result;
 }
 
+std::vector<char> Skin::active_faces(const std::vector<Vec3>& points) const {
+  if (last_points_.empty()) return {};
+  std::vector<char> is_active(faces_.size());
+  parallel_for(faces_.size(), [&](std::size_t i) {
+    const auto& vertices = faces_[i].vertices;
+    const bool has_moved = std::any_of(vertices.begin(), vertices.end(),
+                                       [&](int v) { return points[v] != last_points_[v]; });
+    is_active[i] = has_moved ? 1 : 0;
+  });
+  for (const int face : last_doubtful_) is_active[face] = 1;
+  return is_active;
+}
+
 std::vector<int> Skin::collisions_of(const std::vector<Vec3>& points,
-                                     const std::vector<int>& faces) const {
-  const std::vector<int> doubtful = in_doubt(points, faces);
+                                     const std::vector<int>& doubtful) const {
   if (doubtful.empty()) return {};
   TriangleSurface surface{points, {}};
   for (const int diagonal : {0, 1}) {
@@ -88,10 +100,17 @@ std::vector<int> Skin::collisions_of(const std::vector<Vec3>& points,
   return {};
 }
 
-std::vector<int> Skin::collisions(const std::vector<double>& thickness) const {
+std::vector<int> Skin::collisions(const std::vector<double>& thickness) {
   std::vector<int> all(faces_.size());
   std::iota(all.begin(), all.end(), 0);
-  return collisions_of(points(thickness), all);
+  std::vector<Vec3> at = points(thickness);
+  std::vector<int> doubtful = in_doubt(at, all, active_faces(at));
+  std::vector<int> quads = collisions_of(at, doubtful);
+  last_points_ = std::move(at);
+  // Where faces meet, not all that were in doubt were looked at to the end.
+  if (quads.empty()) doubtful.clear();
+  last_doubtful_ = std::move(doubtful);
+  return quads;
 }
 
 std::vector<int> Skin::collisions(const std::vector<double>& thickness,
@@ -100,7 +119,8 @@ std::vector<int> Skin::collisions(const std::vector<double>& thickness,
   for (int i = 0; i < static_cast<int>(faces_.size()); ++i) {
     if (std::binary_search(among.begin(), among.end(), faces_[i].quad)) faces.push_back(i);
   }
-  return collisions_of(points(thickness), faces);
+  const std::vector<Vec3> at = points(thickness);
+  return collisions_of(at, in_doubt(at, faces, {}));
 }
 
 }  // namespace hexwall

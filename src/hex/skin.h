@@ -17,8 +17,9 @@ class Skin {
 
   /// Quads whose faces meet other faces anywhere but in common vertices and edges, however faces
   /// are split into two triangles: decided like `self_intersections` for either way, and for the
-  /// second one only where the first finds nothing. Sorted. \param thickness #V
-  std::vector<int> collisions(const std::vector<double>& thickness) const;
+  /// second one only where the first finds nothing. Sorted. What has not moved since the last call
+  /// and did not meet then is not looked at again. \param thickness #V
+  std::vector<int> collisions(const std::vector<double>& thickness);
 
   /// The same among the faces of some quads only. \param among sorted.
   std::vector<int> collisions(const std::vector<double>& thickness,
@@ -32,15 +33,22 @@ class Skin {
 
   // Of the skin, then of the quad mesh.
   std::vector<Vec3> points(const std::vector<double>& thickness) const;
-  // Of some faces those that may meet others, or are folded: the rest certainly don't.
-  std::vector<int> in_doubt(const std::vector<Vec3>& points, const std::vector<int>& faces) const;
+  // Of some faces those that may meet others, or are folded, if they or the others are active; the
+  // rest certainly don't.
+  std::vector<int> in_doubt(const std::vector<Vec3>& points, const std::vector<int>& faces,
+                            const std::vector<char>& is_active) const;
+  // Quads of doubtful faces that meet.
   std::vector<int> collisions_of(const std::vector<Vec3>& points,
-                                 const std::vector<int>& faces) const;
+                                 const std::vector<int>& doubtful) const;
+  // Faces with a vertex that is not where it was at the last call, or in doubt since then.
+  std::vector<char> active_faces(const std::vector<Vec3>& points) const;
 
   const QuadMesh& quads_;
   const std::vector<Vec3>& directions_;
   double sign_;
   std::vector<Face> faces_;
+  std::vector<Vec3> last_points_;   // of the last search over all faces
+  std::vector<int> last_doubtful_;  // if faces met then
 };
 
 }  // namespace hexwall

@@ -54,7 +54,7 @@ class Fitter {
         levels_(side == Side::outward ? shape.plan.outer_levels() : shape.plan.inner_levels()),
         edges_(edges_of(quads)),
         skin_(quads, directions, side),
-        skewness_(quads),
+        skewness_(quads, directions, levels_),
         trial_(one_sided(shape)),
         bound_(quads.quads.size()) {
     result_.asked = given();
@@ -153,8 +153,7 @@ class Fitter {
 
   // Skewed columns that a thinner wall may still mend.
   std::vector<int> skewed_columns() {
-    std::vector<int> skewed =
-        skewness_.quads_above(greatest_skewness, directions_, trial_, levels_);
+    std::vector<int> skewed = skewness_.quads_above(greatest_skewness, trial_);
     skewed.erase(std::remove_if(skewed.begin(), skewed.end(),
                                 [&](int q) {
                                   const auto& quad = quads_.quads[q];

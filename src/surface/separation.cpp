@@ -43,9 +43,13 @@ class Slabs {
   }
 
   std::size_t count() const { return cuts_.size() + 1; }
-  /// Slabs in which a box begins and ends.
+  /// The slab in which a box begins.
   std::size_t first(const Eigen::AlignedBox3d& box) const { return slab_of(box.min()[axis_]); }
-  std::size_t last(const Eigen::AlignedBox3d& box) const { return slab_of(box.max()[axis_]); }
+  /// Whether a box reaches into a slab.
+  bool has(std::size_t slab, const Eigen::AlignedBox3d& box) const {
+    return (slab == 0 || box.max()[axis_] >= cuts_[slab - 1]) &&
+           (slab == cuts_.size() || box.min()[axis_] < cuts_[slab]);
+  }
 
  private:
   std::size_t slab_of(double x) const {
@@ -120,17 +124,23 @@ bool Separation::is_certain(std::span<const int> a, std::span<const int> b) cons
 }
 
 std::vector<std::pair<int, int>> box_pairs(const std::vector<Eigen::AlignedBox3d>& boxes,
-                                           const std::function<bool(int, int)>& is_wanted) {
+                                           const std::function<bool(int, int)>& is_wanted,
+                                           const std::vector<char>& is_active) {
   const Slabs slabs(boxes);
+  const auto acts = [&](int i) { return is_active.empty() || is_active[i] != 0; };
   std::vector<std::vector<std::pair<int, int>>> found(slabs.count());
   parallel_tasks(found.size(), [&](std::size_t slab) {
+    const auto count = static_cast<int>(boxes.size());
+    Eigen::AlignedBox3d around;  // what is active here
+    for (int i = 0; i < count; ++i) {
+      if (acts(i) && slabs.has(slab, boxes[i])) around.extend(boxes[i]);
+    }
     std::vector<Box> list;
-    for (std::size_t i = 0; i < boxes.size(); ++i) {
-      if (slab < slabs.first(boxes[i]) || slab > slabs.last(boxes[i])) continue;
+    for (int i = 0; i < count; ++i) {
+      if (!slabs.has(slab, boxes[i]) || !around.intersects(boxes[i])) continue;
       const Vec3& low = boxes[i].min();
       const Vec3& high = boxes[i].max();
-      list.emplace_back(CGAL::Bbox_3(low.x(), low.y(), low.z(), high.x(), high.y(), high.z()),
-                        static_cast<int>(i));
+      list.emplace_back(CGAL::Bbox_3(low.x(), low.y(), low.z(), high.x(), high.y(), high.z()), i);
     }
     std::vector<const Box*> order;
     order.reserve(list.size());
@@ -140,7 +150,7 @@ std::vector<std::pair<int, int>> box_pairs(const std::vector<Eigen::AlignedBox3d
         [&](const Box* a, const Box* b) {
           const auto [i, j] = std::minmax({a->info(), b->info()});
           const bool is_here = std::max(slabs.first(boxes[i]), slabs.first(boxes[j])) == slab;
-          if (is_here && is_wanted(i, j)) found[slab].emplace_back(i, j);
+          if (is_here && (acts(i) || acts(j)) && is_wanted(i, j)) found[slab].emplace_back(i, j);
         },
         cutoff);
   });

@@ -30,7 +30,9 @@ class Separation {
 
 /// The pairs of numbers of boxes that meet and are wanted, the lower one first, in rising order.
 /// \param is_wanted is asked of each pair that meets, the lower number first, once, in parallel.
+/// \param is_active #boxes Only pairs with one of these at least; all if it is empty.
 std::vector<std::pair<int, int>> box_pairs(const std::vector<Eigen::AlignedBox3d>& boxes,
-                                           const std::function<bool(int, int)>& is_wanted);
+                                           const std::function<bool(int, int)>& is_wanted,
+                                           const std::vector<char>& is_active = {});
 
 }  // namespace hexwall

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <random>
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -9,6 +10,7 @@
 #include "core/errors.h"
 #include "hex/directions.h"
 #include "hex/skewness.h"
+#include "hex/skin.h"
 #include "hex/thickness.h"
 #include "support/expect_error.h"
 #include "support/verify_wall.h"
@@ -141,15 +143,55 @@ double ring_volume(double inner, double outer) {
 TEST(Skewness, CountsTheFacesOfEndRings) {
   Tube t = tube(12, 4, 1.0, 2.0);
   const WallShape shape = outward_shape(t, 0.01, 1);
-  const Skewness skewness(t.quads);
-  EXPECT_TRUE(skewness.quads_above(1.0, t.directions, shape, shape.plan.levels).empty());
+  EXPECT_TRUE(Skewness(t.quads, t.directions, shape.plan.levels).quads_above(1.0, shape).empty());
   for (std::size_t v = 0; v < t.directions.size(); ++v) {
     if (t.quads.loop_of_vertex[v] != 0) continue;
     t.directions[v] = (t.directions[v] + 2.0 * Vec3::UnitZ()).normalized();
   }
-  const std::vector<int> skewed = skewness.quads_above(4.0, t.directions, shape, shape.plan.levels);
+  const std::vector<int> skewed =
+      Skewness(t.quads, t.directions, shape.plan.levels).quads_above(4.0, shape);
   EXPECT_EQ(skewed.size(), 12U);
   for (const int q : skewed) EXPECT_LT(q, 12);
+}
+
+// After changes in some places it says the same as one that looks at all.
+TEST(Skewness, IsComputedAgainWhereTheThicknessChanges) {
+  std::mt19937 random(1);
+  const Tube t = tube(24, 20, 1.0, 2.0);
+  WallShape shape = outward_shape(t, 0.1);
+  Skewness skewness(t.quads, t.directions, shape.plan.levels);
+  bool some = false;
+  for (int round = 0; round < 20; ++round) {
+    const std::vector<int> skewed = skewness.quads_above(1.0, shape);
+    EXPECT_EQ(skewed, Skewness(t.quads, t.directions, shape.plan.levels).quads_above(1.0, shape));
+    some = some || (!skewed.empty() && skewed.size() < t.quads.quads.size() / 2);
+    for (int i = 0; i < 3; ++i) shape.outward[random() % shape.outward.size()] *= 3.0;
+  }
+  EXPECT_TRUE(some);
+}
+
+// The same: faces meet in the middle of a tube whose layers are too thick there.
+TEST(Skin, IsSearchedAgainWhereTheThicknessChanges) {
+  std::mt19937 random(1);
+  const Tube t = tube(16, 60, 1.0, 8.0);
+  std::vector<double> thickness(t.quads.points.size(), 0.9);
+  Skin skin(t.quads, t.directions, Side::inward);
+  int clear = 0;
+  int meeting = 0;
+  for (int round = 0; round < 60; ++round) {
+    const std::vector<int> quads = skin.collisions(thickness);
+    EXPECT_EQ(quads, Skin(t.quads, t.directions, Side::inward).collisions(thickness)) << round;
+    ++(quads.empty() ? clear : meeting);
+    for (const int q : quads) {
+      if (random() % 3 == 0) continue;
+      for (const int v : t.quads.quads[q]) thickness[v] *= 0.9;
+    }
+    if (quads.empty()) {
+      for (int i = 0; i < 2; ++i) thickness[random() % thickness.size()] = 1.0;
+    }
+  }
+  EXPECT_GT(clear, 3);
+  EXPECT_GT(meeting, 20);
 }
 
 TEST(Extrude, FillsATubeOutward) {
