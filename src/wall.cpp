@@ -200,24 +200,26 @@ class WallFitter {
     return columns_.of(fit.quads, fit.directions, fit.shape);
   }
 
-  // Thickness that fits on each side, up to what is asked.
+  // Thickness that fits on each side, up to what is asked, and to what is given already.
   void fit_sides(WallFit& fit) {
     fit.shape = shape_of(r_, fit.places);
-    if (r_.options.outward) {
-      fit.outward = fit_thickness(fit.quads, fit.directions, fit.shape, Side::outward);
-      fit.shape.outward = fit.outward->given;
-    }
-    if (r_.options.inward) {
-      fit.inward = fit_thickness(fit.quads, fit.directions, fit.shape, Side::inward,
-                                 r_.options.leaves_room_for_core);
-      fit.shape.inward = fit.inward->given;
-    }
+    if (r_.options.outward) fit_side(fit, Side::outward, fit.shape.outward, fit.outward);
+    if (r_.options.inward) fit_side(fit, Side::inward, fit.shape.inward, fit.inward);
     const std::span<const ColumnQuality> columns = columns_of(fit);
     fit.columns_without_face_tets =
         static_cast<int>(std::count_if(columns.begin(), columns.end(), [](const ColumnQuality& c) {
           return c.face_tet_margin <= 0.0;
         }));
     fit.min_scaled_jacobian = least_scaled_jacobian(columns);
+  }
+
+  void fit_side(const WallFit& fit, Side side, std::vector<double>& thickness,
+                std::optional<ThicknessResult>& result) const {
+    const ThicknessResult before = result.value_or(ThicknessResult{});
+    result = fit_thickness(fit.quads, fit.directions, fit.shape, side,
+                           r_.options.leaves_room_for_core, before.given);
+    result->colliding_quads = std::max(result->colliding_quads, before.colliding_quads);
+    thickness = result->given;
   }
 
   // The same, or nothing where no thickness fits.
@@ -236,6 +238,8 @@ class WallFitter {
     const EvenOutOptions options{columns_of(fit), fit.least_edge, face_tets};
     fit.evened_vertices +=
         even_out(fit.quads, fit.places, fit.directions, projector_, fit.shape, options);
+    fit.outward.reset();
+    fit.inward.reset();
     return fitted(std::move(fit));
   }
 

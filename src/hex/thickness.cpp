@@ -65,8 +65,10 @@ class Fitter {
     }
   }
 
-  ThicknessResult run() {
+  ThicknessResult run(const std::vector<double>& most) {
     refuse_absurd_thickness();
+    for (std::size_t v = 0; v < most.size(); ++v) given()[v] = std::min(given()[v], most[v]);
+    if (!most.empty()) limit_slope();
     find_bounds();
     shrink_bad_columns();
     separate();
@@ -267,8 +269,9 @@ class Fitter {
 }  // namespace
 
 ThicknessResult fit_thickness(const QuadMesh& quads, const std::vector<Vec3>& directions,
-                              const WallShape& shape, Side side, bool for_core) {
-  return Fitter(quads, directions, shape, side, for_core).run();
+                              const WallShape& shape, Side side, bool for_core,
+                              const std::vector<double>& most) {
+  return Fitter(quads, directions, shape, side, for_core).run(most);
 }
 
 }  // namespace hexwall
