@@ -50,14 +50,19 @@ void check_options(const PipelineOptions& options) {
 }
 
 // Brings the loops in the order of the openings, each at the loop of the nearest centre that is
-// left: centres may be the same.
+// left: the longest of those with one centre, since openings are numbered so.
 void find_openings(const PrepareResult& input, PipelineResult& r) {
   r.connectivity = Connectivity(static_cast<int>(r.surface.points.size()), r.surface.triangles);
   const auto& loops = r.connectivity.loops();
   std::vector<LoopPlane> planes;
-  for (const auto& loop : loops) planes.push_back(fit_plane(points_of(r.surface, loop)));
+  std::vector<double> lengths;
+  for (const auto& loop : loops) {
+    planes.push_back(fit_plane(points_of(r.surface, loop)));
+    lengths.push_back(loop_shape(points_of(r.surface, loop)).length);
+  }
   std::vector<int> left(loops.size());
   std::iota(left.begin(), left.end(), 0);
+  std::stable_sort(left.begin(), left.end(), [&](int a, int b) { return lengths[a] > lengths[b]; });
   std::vector<int> order;
   for (const NamedPlace& opening : input.openings) {
     const auto nearest = std::min_element(left.begin(), left.end(), [&](int a, int b) {
@@ -67,8 +72,7 @@ void find_openings(const PrepareResult& input, PipelineResult& r) {
     const int loop = *nearest;
     left.erase(nearest);
     order.push_back(loop);
-    r.openings.push_back(
-        {opening.name, loop_shape(points_of(r.surface, loops[loop])).length, planes[loop]});
+    r.openings.push_back({opening.name, lengths[loop], planes[loop]});
   }
   r.connectivity.reorder_loops(order);
 }

@@ -200,7 +200,7 @@ class WallFitter {
     return columns_.of(fit.quads, fit.directions, fit.shape);
   }
 
-  // Thickness that fits on each side, up to what is asked, and to what is given already.
+  // Thickness that fits on each side, up to the share of what is asked that an earlier fit gave.
   void fit_sides(WallFit& fit) {
     fit.shape = shape_of(r_, fit.places);
     if (r_.options.outward) fit_side(fit, Side::outward, fit.shape.outward, fit.outward);
@@ -215,10 +215,17 @@ class WallFitter {
 
   void fit_side(const WallFit& fit, Side side, std::vector<double>& thickness,
                 std::optional<ThicknessResult>& result) const {
-    const ThicknessResult before = result.value_or(ThicknessResult{});
+    std::vector<double> shares;
+    int colliding_quads = 0;
+    if (result) {
+      for (int v = 0; v < static_cast<int>(result->given.size()); ++v) {
+        shares.push_back(result->ratio(v));
+      }
+      colliding_quads = result->colliding_quads;
+    }
     result = fit_thickness(fit.quads, fit.directions, fit.shape, side,
-                           r_.options.leaves_room_for_core, before.given);
-    result->colliding_quads = std::max(result->colliding_quads, before.colliding_quads);
+                           r_.options.leaves_room_for_core, shares);
+    result->colliding_quads = std::max(result->colliding_quads, colliding_quads);
     thickness = result->given;
   }
 
@@ -238,7 +245,7 @@ class WallFitter {
     const EvenOutOptions options{columns_of(fit), fit.least_edge, face_tets};
     fit.evened_vertices +=
         even_out(fit.quads, fit.places, fit.directions, projector_, fit.shape, options);
-    fit.outward.reset();
+    fit.outward.reset();  // more may fit now
     fit.inward.reset();
     return fitted(std::move(fit));
   }

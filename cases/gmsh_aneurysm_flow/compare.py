@@ -47,7 +47,7 @@ class Spots:
     def __init__(self, case):
         self.wall, shear = foam.wall_shear(case)
         cubes = numpy.floor(self.wall.centers / SPOT).astype(int)
-        self.spot = numpy.unique(cubes, axis=0, return_inverse=True)[1]
+        self.spot = numpy.unique(cubes, axis=0, return_inverse=True)[1].reshape(-1)
         sac = self.wall.area * self.wall.share_beyond(0, SAC)
         self.weights = {"sac": sac, "elsewhere": self.wall.area - sac}
         self.sums = {part: self.sums_of(shear, part) for part in self.weights}

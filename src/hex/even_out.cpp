@@ -5,7 +5,6 @@
 #include <limits>
 #include <numeric>
 #include <span>
-#include <utility>
 
 #include "core/parallel.h"
 #include "hex/column_search.h"

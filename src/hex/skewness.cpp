@@ -1,7 +1,6 @@
 #include "hex/skewness.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include <Eigen/Geometry>

@@ -17,7 +17,7 @@ class Skewness {
   Skewness(const QuadMesh& quads, const std::vector<Vec3>& directions, std::vector<double> levels);
 
   /// Quads whose column has a face above `limit`. Sorted. What has not changed since the last call
-  /// is not computed again.
+  /// is not computed again. \pre the quads and directions are as at the first call.
   std::vector<int> quads_above(double limit, const WallShape& shape);
 
  private:

@@ -65,10 +65,10 @@ class Fitter {
     }
   }
 
-  ThicknessResult run(const std::vector<double>& most) {
+  ThicknessResult run(const std::vector<double>& shares) {
     refuse_absurd_thickness();
-    for (std::size_t v = 0; v < most.size(); ++v) given()[v] = std::min(given()[v], most[v]);
-    if (!most.empty()) limit_slope();
+    for (std::size_t v = 0; v < shares.size(); ++v) given()[v] *= std::min(1.0, shares[v]);
+    if (!shares.empty()) limit_slope();
     find_bounds();
     shrink_bad_columns();
     separate();
@@ -270,8 +270,8 @@ class Fitter {
 
 ThicknessResult fit_thickness(const QuadMesh& quads, const std::vector<Vec3>& directions,
                               const WallShape& shape, Side side, bool for_core,
-                              const std::vector<double>& most) {
-  return Fitter(quads, directions, shape, side, for_core).run(most);
+                              const std::vector<double>& shares) {
+  return Fitter(quads, directions, shape, side, for_core).run(shares);
 }
 
 }  // namespace hexwall

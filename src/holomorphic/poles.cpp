@@ -218,7 +218,7 @@ class Judge {
     Judgement judgement{vertices, best.energy, {}};
     for (Eigen::Index i = trial.g.cols() - trial.charges; i < best.lambda.size(); ++i) {
       const double radius = std::abs(best.lambda[i]) / (2.0 * std::numbers::pi);
-      if (radius <= vanishing_) return {vertices, best.energy, {}};
+      if (radius <= vanishing_) return {vertices, std::numeric_limits<double>::max(), {}};
       judgement.radii.push_back(radius);
     }
     return judgement;
@@ -423,7 +423,7 @@ bool has_half_zeros(const FormSolution& s, int count) {
 
 // The largest of a series of disks around the last `count` points that give poles without
 // half-zeros; without `strict` else some with half-zeros.
-std::optional<FormSolution> solve_with_disks(const FormProblem& problem,
+std::optional<FormSolution> solve_with_disks(const FormProblem& problem, const FormSolution& before,
                                              std::vector<SurfaceDisk> disks, int count,
                                              bool strict) {
   std::optional<FormSolution> fallback;
@@ -434,7 +434,8 @@ std::optional<FormSolution> solve_with_disks(const FormProblem& problem,
                          [&](const auto& faces) { return is_flat(problem.surface, faces); });
     };
     if (auto punctured = puncture(problem.surface, disks); punctured && are_flat(*punctured)) {
-      std::optional<FormSolution> solution = solve_form(problem, disks, std::move(*punctured));
+      std::optional<FormSolution> solution =
+          solve_form(problem, disks, std::move(*punctured), before.refined.negative_edges);
       if (solution && !has_half_zeros(*solution, count)) return solution;
       if (!strict && !fallback) fallback = std::move(solution);
     }
@@ -459,7 +460,7 @@ bool add_poles(const FormProblem& problem, const Judgement& judgement, const Pol
   for (int i = 0; i < count; ++i) {
     disks.push_back({surface_point(s, judgement.vertices[i]), judgement.radii[i]});
   }
-  auto next = solve_with_disks(problem, disks, count, options.only_if_worthwhile);
+  auto next = solve_with_disks(problem, s, disks, count, options.only_if_worthwhile);
   if (!next) return false;
   const double gain = 1.0 - next->optimum.energy / s.optimum.energy;
   if (options.only_if_worthwhile && gain < least_gain) return false;
@@ -483,12 +484,17 @@ BlindRegion whole_surface(const FormSolution& s) {
 
 // A point beside the surface, or in the middle of a sac, means the nearest place of the surface;
 // one far away is a mistake, of the unit for instance.
-void check_near(const Vec3& place, const Vec3& nearest, const TriangleSurface& surface) {
-  const double distance = (place - nearest).norm();
-  if (distance <= greatest_place_distance * bounding_box_diagonal(surface)) return;
-  throw UsageError(
-      fmt::format("the place {} for a pole is {:.4g} away from the surface, which is nearest at {}",
-                  coordinates(place), distance, coordinates(nearest)));
+void check_near(const std::vector<Vec3>& places, const TriangleSurface& surface) {
+  for (const Vec3& place : places) {
+    const Vec3& nearest = *std::min_element(
+        surface.points.begin(), surface.points.end(),
+        [&](auto& a, auto& b) { return (a - place).squaredNorm() < (b - place).squaredNorm(); });
+    const double distance = (place - nearest).norm();
+    if (distance <= greatest_place_distance * bounding_box_diagonal(surface)) continue;
+    throw UsageError(fmt::format(
+        "the place {} for a pole is {:.4g} away from the surface, which is nearest at {}",
+        coordinates(place), distance, coordinates(nearest)));
+  }
 }
 
 }  // namespace
@@ -519,6 +525,7 @@ PoleResult place_poles(const FormProblem& problem, FormSolution start, const Pol
 PoleResult place_poles_at(const FormProblem& problem, FormSolution start,
                           const std::vector<Vec3>& places) {
   PoleResult result{std::move(start), {}};
+  check_near(places, problem.surface);
   for (const Vec3& place : places) {
     const FormSolution& s = result.solution;
     const BlindRegion region = whole_surface(s);
@@ -531,7 +538,6 @@ PoleResult place_poles_at(const FormProblem& problem, FormSolution start,
     PoleOptions options;
     options.only_if_worthwhile = false;
     const bool is_inside = nearest != region.vertices.end();
-    if (is_inside) check_near(place, points[*nearest], problem.surface);
     if (is_inside && add_poles(problem, judge.judge({{*nearest}})[0], options, result)) continue;
     throw UsageError(fmt::format(
         "there is no room for a pole at ({:.6g}, {:.6g}, {:.6g}): it is too near an opening or "

@@ -175,10 +175,10 @@ FormSolution solve_form(const FormProblem& problem) {
 
 std::optional<FormSolution> solve_form(const FormProblem& problem,
                                        const std::vector<SurfaceDisk>& disks,
-                                       PuncturedSurface punctured) {
+                                       PuncturedSurface punctured, int most_negative) {
   throw_if_cancelled();
   FormSolution s = refined(problem, disks, std::move(punctured));
-  if (s.refined.negative_edges > 0) return std::nullopt;
+  if (s.refined.negative_edges > most_negative) return std::nullopt;
   return solve_refined(problem, std::move(s));
 }
 

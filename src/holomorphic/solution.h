@@ -50,10 +50,11 @@ struct FormSolution {
 FormSolution solve_form(const FormProblem& problem);
 
 /// The same without the disks. \param punctured `problem.surface` without them.
-/// \returns nothing if the triangles around them stay too thin, however they are refined.
+/// \param most_negative edges that may be left non-Delaunay, as without the disks. \returns nothing
+/// if more are left: the triangles around the disks stay too thin, however they are refined.
 std::optional<FormSolution> solve_form(const FormProblem& problem,
                                        const std::vector<SurfaceDisk>& disks,
-                                       PuncturedSurface punctured);
+                                       PuncturedSurface punctured, int most_negative);
 
 /// Sets `s.optimum`, given all that comes before it.
 void find_optimum(const FormProblem& problem, FormSolution& s);

@@ -9,7 +9,7 @@
 namespace hexwall {
 
 struct RelaxResult {
-  int iterations = 60;
+  int iterations = 0;
   int frozen_moves = 0;  ///< vertex moves refused because a quad would have become worse than the
                          ///< worst one, inverted or turned over, or an edge far too short
 };
@@ -22,7 +22,7 @@ struct QuadSize {
 
 /// Moves the vertices of a quad mesh on the input surface towards rectangles of given sizes.
 ///
-/// Each iteration fits a rectangle to every quad, half way to its target size, and moves each
+/// Each iteration fits a rectangle to every quad, pulled towards its target size, and moves each
 /// vertex to the mean of its corners (shape-up, after Bouaziz et al., "Shape-Up", SGP 2012, with
 /// Jacobi steps), then back on the surface; vertices of a boundary loop slide along their loop. A
 /// step never lowers the minimum scaled Jacobian of the mesh, inverts or turns over no quad that

@@ -50,7 +50,8 @@ struct RepairOptions {
   /// Edge length to remesh the whole surface with. Default: remeshed only if more than a tenth of
   /// the area is in triangles of quality below 0.1; then with the edge of as many equilateral
   /// triangles, or the mean boundary edge where that is shorter, but not if that would cut them or
-  /// their sides into more than 30 pieces in the mean, or one of them into more than 100.
+  /// their sides into more than 30 pieces in the mean, unless 20,000 triangles are enough, nor if
+  /// it would cut a side into more than 100.
   std::optional<double> remesh_edge;
 };
 

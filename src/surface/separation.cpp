@@ -20,7 +20,7 @@ using Box =
 // Below as many boxes CGAL scans them instead of dividing them further: measured.
 constexpr std::ptrdiff_t cutoff = 1000;
 // About as many boxes begin in a slab.
-constexpr std::size_t boxes_per_slab = 8192;
+constexpr std::size_t boxes_per_slab = 4096;
 // Of the largest coordinate: rounding is far below it.
 constexpr double certain = 1e-10;
 
@@ -42,13 +42,17 @@ class Slabs {
     }
   }
 
-  std::size_t count() const { return cuts_.size() + 1; }
   /// The slab in which a box begins.
   std::size_t first(const Eigen::AlignedBox3d& box) const { return slab_of(box.min()[axis_]); }
-  /// Whether a box reaches into a slab.
-  bool has(std::size_t slab, const Eigen::AlignedBox3d& box) const {
-    return (slab == 0 || box.max()[axis_] >= cuts_[slab - 1]) &&
-           (slab == cuts_.size() || box.min()[axis_] < cuts_[slab]);
+
+  /// The boxes that reach into each slab.
+  std::vector<std::vector<int>> members(const std::vector<Eigen::AlignedBox3d>& boxes) const {
+    std::vector<std::vector<int>> result(cuts_.size() + 1);
+    for (int i = 0; i < static_cast<int>(boxes.size()); ++i) {
+      const std::size_t last = slab_of(boxes[i].max()[axis_]);
+      for (std::size_t slab = first(boxes[i]); slab <= last; ++slab) result[slab].push_back(i);
+    }
+    return result;
   }
 
  private:
@@ -128,16 +132,16 @@ std::vector<std::pair<int, int>> box_pairs(const std::vector<Eigen::AlignedBox3d
                                            const std::vector<char>& is_active) {
   const Slabs slabs(boxes);
   const auto acts = [&](int i) { return is_active.empty() || is_active[i] != 0; };
-  std::vector<std::vector<std::pair<int, int>>> found(slabs.count());
+  const std::vector<std::vector<int>> members = slabs.members(boxes);
+  std::vector<std::vector<std::pair<int, int>>> found(members.size());
   parallel_tasks(found.size(), [&](std::size_t slab) {
-    const auto count = static_cast<int>(boxes.size());
     Eigen::AlignedBox3d around;  // what is active here
-    for (int i = 0; i < count; ++i) {
-      if (acts(i) && slabs.has(slab, boxes[i])) around.extend(boxes[i]);
+    for (const int i : members[slab]) {
+      if (acts(i)) around.extend(boxes[i]);
     }
     std::vector<Box> list;
-    for (int i = 0; i < count; ++i) {
-      if (!slabs.has(slab, boxes[i]) || !around.intersects(boxes[i])) continue;
+    for (const int i : members[slab]) {
+      if (!around.intersects(boxes[i])) continue;
       const Vec3& low = boxes[i].min();
       const Vec3& high = boxes[i].max();
       list.emplace_back(CGAL::Bbox_3(low.x(), low.y(), low.z(), high.x(), high.y(), high.z()), i);

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "core/errors.h"
+#include "hex/column_quality.h"
 #include "hex/directions.h"
 #include "hex/skewness.h"
 #include "hex/skin.h"
@@ -168,6 +169,32 @@ TEST(Skewness, IsComputedAgainWhereTheThicknessChanges) {
     for (int i = 0; i < 3; ++i) shape.outward[random() % shape.outward.size()] *= 3.0;
   }
   EXPECT_TRUE(some);
+}
+
+// The same, whatever changes.
+TEST(ColumnQualities, AreFoundAgainWhereColumnsChange) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> number(-0.02, 0.02);
+  Tube t = tube(12, 20, 1.0, 2.0);
+  WallShape shape = outward_shape(t, 0.1);
+  ColumnQualities qualities;
+  for (int round = 0; round < 20; ++round) {
+    const auto columns = qualities.of(t.quads, t.directions, shape);
+    ColumnQualities anew;
+    const auto expected = anew.of(t.quads, t.directions, shape);
+    ASSERT_EQ(columns.size(), expected.size());
+    for (std::size_t q = 0; q < columns.size(); ++q) {
+      EXPECT_EQ(columns[q].scaled_jacobian, expected[q].scaled_jacobian);
+      EXPECT_EQ(columns[q].face_split, expected[q].face_split);
+      EXPECT_EQ(columns[q].face_tet_margin, expected[q].face_tet_margin);
+    }
+    EXPECT_LE(least_scaled_jacobian(columns), columns[random() % columns.size()].scaled_jacobian);
+    const std::size_t v = random() % shape.outward.size();
+    if (round % 3 == 0) t.quads.points[v].x() += number(random);
+    if (round % 3 == 1)
+      t.directions[v] = (t.directions[v] + 10.0 * number(random) * Vec3::UnitZ()).normalized();
+    if (round % 3 == 2) shape.outward[v] *= 1.2;
+  }
 }
 
 // The same: faces meet in the middle of a tube whose layers are too thick there.

@@ -18,7 +18,9 @@ QuadMesh relaxed(QuadMesh mesh, const std::vector<QuadSize>& sizes) {
                                 {{0, 1, 2}, {0, 2, 3}}};
   std::vector<int> face(mesh.points.size(), 0);
   mesh.loop_of_vertex.assign(mesh.points.size(), -1);
-  relax(mesh, face, sizes, surface, Connectivity(4, surface.triangles), 1);
+  const RelaxResult result =
+      relax(mesh, face, sizes, surface, Connectivity(4, surface.triangles), 1);
+  EXPECT_EQ(result.iterations, 1);
   return mesh;
 }
 

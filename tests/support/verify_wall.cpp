@@ -135,7 +135,8 @@ double rounding_of_layers(const PipelineResult& r) {
     if (!side) continue;
     thinnest = std::min(thinnest, *std::min_element(side->given.begin(), side->given.end()));
   }
-  return std::numeric_limits<double>::epsilon() * greatest * r.layers.layers() / thinnest;
+  return std::min(1e-3,
+                  std::numeric_limits<double>::epsilon() * greatest * r.layers.layers() / thinnest);
 }
 
 /// The faces on the surface's level are the quads, corner by corner.

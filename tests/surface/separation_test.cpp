@@ -171,6 +171,13 @@ TEST(BoxPairs, AreAllThatMeetAndAreWanted) {
   }
   EXPECT_EQ(box_pairs(boxes, is_wanted), expected);
   EXPECT_GT(expected.size(), 10000U);
+  std::vector<char> is_active(boxes.size(), 0);
+  for (int i = 0; i < 20000; ++i) is_active[i] = boxes[i].min().x() > 2.5 && i % 7 == 0 ? 1 : 0;
+  std::erase_if(expected, [&](const auto& pair) {
+    return !is_active[pair.first] && !is_active[pair.second];
+  });
+  EXPECT_EQ(box_pairs(boxes, is_wanted, is_active), expected);
+  EXPECT_GT(expected.size(), 1000U);
   EXPECT_TRUE(box_pairs({}, is_wanted).empty());
 }
 
