@@ -26,6 +26,8 @@ constexpr double shrink_factor = 0.84;
 constexpr double least_ratio = 1e-3;
 // Of the surface's diagonal: no vessel has a thicker wall, and no branch room for one.
 constexpr double greatest_share_of_extent = 0.5;
+// Of the greatest coordinate: thinner layers would have heights exact to some digits only.
+constexpr double least_share_of_coordinates = 1e-10;
 // A change of thickness along the surface by at most this slope keeps the skin smooth.
 constexpr double greatest_slope = 0.3;
 // Relative: rounding is no violation, or there would be no end on very short edges.
@@ -95,17 +97,34 @@ class Fitter {
     return fmt::format("({:.6g}, {:.6g}, {:.6g})", at.x(), at.y(), at.z());
   }
 
-  // Where everything meets everything, there would be no end of collisions.
+  // Where everything meets everything, there would be no end of collisions; and layers thinner than
+  // the last digits of coordinates are none.
   void refuse_absurd_thickness() const {
     Eigen::AlignedBox3d box;
     for (const Vec3& p : quads_.points) box.extend(p);
     const double across = box.diagonal().norm();
-    const auto greatest = std::max_element(result_.asked.begin(), result_.asked.end());
-    if (*greatest <= greatest_share_of_extent * across) return;
-    throw MeshingError(fmt::format(
-        "no wall as thick as {:.4g} fits at {}: the surface is {:.4g} across. Is the thickness in "
-        "the unit of the surface?",
-        *greatest, place_of(static_cast<int>(greatest - result_.asked.begin())), across));
+    const double farthest = box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).maxCoeff();
+    const auto [least, greatest] = std::minmax_element(result_.asked.begin(), result_.asked.end());
+    const auto at = [&](auto place) {
+      return place_of(static_cast<int>(place - result_.asked.begin()));
+    };
+    if (*greatest > greatest_share_of_extent * across) {
+      throw MeshingError(
+          fmt::format("no wall as thick as {:.4g} fits at {}: the surface is {:.4g} across. Is the "
+                      "thickness in "
+                      "the unit of the surface?",
+                      *greatest, at(greatest), across));
+    }
+    double thinnest = 1.0;  // layer, as a share of all
+    for (std::size_t i = 0; i + 1 < levels_.size(); ++i) {
+      thinnest = std::min(thinnest, levels_[i + 1] - levels_[i]);
+    }
+    if (thinnest * *least < least_share_of_coordinates * farthest) {
+      throw MeshingError(fmt::format(
+          "layers as thin as {:.4g} at {} are lost in rounding at coordinates up to {:.4g}. Is the "
+          "thickness in the unit of the surface?",
+          thinnest * *least, at(least), farthest));
+    }
   }
 
   // What is wanted of a column: no more than half of what it has in the limit of no thickness.

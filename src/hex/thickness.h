@@ -36,10 +36,12 @@ struct ThicknessResult {
 /// asked. No layer is ever dropped. \param directions #V unit vectors, outward.
 /// \param for_core whether the lumen behind layers inside is to be filled: the clearance is then
 /// 25 %, and edges towards the core have 0.35 to 3 times the length of the wall's.
-/// \param shares #V no more than these shares of `shape`'s, of an earlier fit for instance;
-/// empty: 1. \pre `shape` has layers on that side. \throws MeshingError, naming the place, if more
-/// is asked than half of the surface's diagonal, if no positive thickness gives positive Jacobians,
-/// or if none keeps the skin from meeting itself.
+/// \param shares #V no more than these shares of `shape`'s, of an earlier fit for instance; 1 if it
+/// is empty.
+/// \pre `shape` has layers on that side.
+/// \throws MeshingError, naming the place, if more is asked than half of the surface's diagonal, or
+/// layers so thin that they are lost in the rounding of coordinates; if no positive thickness gives
+/// positive Jacobians, or none keeps the skin from meeting itself.
 ThicknessResult fit_thickness(const QuadMesh& quads, const std::vector<Vec3>& directions,
                               const WallShape& shape, Side side, bool for_core = false,
                               const std::vector<double>& shares = {});

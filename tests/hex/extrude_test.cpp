@@ -296,6 +296,9 @@ TEST(FitThickness, RefusesAThicknessThatIsOutOfAllProportion) {
   const Tube t = tube(24, 6, 1.0, 2.0);
   expect_error(ExitCode::meshing, {"no wall as thick as 1e+05", "across"},
                [&] { fit_thickness(t.quads, t.directions, inward_shape(t, 1e5), Side::inward); });
+  expect_error(ExitCode::meshing, {"layers as thin as 1e-11", "lost in rounding"}, [&] {
+    fit_thickness(t.quads, t.directions, outward_shape(t, 3e-11), Side::outward);
+  });
 }
 
 }  // namespace
