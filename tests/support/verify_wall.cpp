@@ -135,8 +135,8 @@ double rounding_of_layers(const PipelineResult& r) {
     if (!side) continue;
     thinnest = std::min(thinnest, *std::min_element(side->given.begin(), side->given.end()));
   }
-  return std::min(1e-3,
-                  std::numeric_limits<double>::epsilon() * greatest * r.layers.layers() / thinnest);
+  const double layer = thinnest / r.layers.layers();
+  return std::min(1e-3, 8.0 * std::numeric_limits<double>::epsilon() * greatest / layer);
 }
 
 /// The faces on the surface's level are the quads, corner by corner.
