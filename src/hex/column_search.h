@@ -1,11 +1,12 @@
 #pragma once
 
 #include <functional>
-#include <span>
+#include <ranges>
 #include <vector>
 
 #include "hex/column.h"
 #include "quad/quad_mesh.h"
+#include "quad/vertex_corners.h"
 #include "surface/projector.h"
 
 namespace hexwall {
@@ -22,9 +23,8 @@ class ColumnSearch {
   const QuadMesh& quads() const { return quads_; }
   const std::vector<double>& levels() const { return shape_.plan.levels; }
   Column column(int q) const { return column_of(quads_, q, directions_, shape_); }
-  std::span<const int> columns_around(int v) const {
-    return {quads_of_vertex_.begin() + first_quad_[v],
-            quads_of_vertex_.begin() + first_quad_[v + 1]};
+  auto columns_around(int v) const {
+    return corners_.at(v) | std::views::transform(&QuadCorner::quad);
   }
 
   /// Length of the shortest edge at a vertex.
@@ -49,7 +49,7 @@ class ColumnSearch {
   std::vector<Vec3>& directions_;
   const SurfaceProjector& projector_;
   const WallShape& shape_;
-  std::vector<int> first_quad_, quads_of_vertex_;
+  VertexCorners corners_;
   double turn_ = 0.0;  // of the rings, in radians
 };
 

@@ -10,6 +10,7 @@
 
 #include "core/parallel.h"
 #include "quad/quality.h"
+#include "quad/vertex_corners.h"
 
 namespace hexwall {
 namespace {
@@ -55,10 +56,9 @@ class Smoother {
         shape_(shape),
         directions_(directions),
         first_neighbour_(directions.size() + 1, 0),
-        first_corner_(directions.size() + 1, 0),
+        corners_(quads),
         bad_(quads.quads.size(), 1) {
     find_neighbours();
-    find_corners();
   }
 
   int run() {
@@ -87,18 +87,6 @@ class Smoother {
     for (const auto& [a, b] : edges) {
       neighbours_[next[a]++] = b;
       neighbours_[next[b]++] = a;
-    }
-  }
-
-  void find_corners() {
-    for (const auto& quad : quads_.quads) {
-      for (const int v : quad) ++first_corner_[v + 1];
-    }
-    std::partial_sum(first_corner_.begin(), first_corner_.end(), first_corner_.begin());
-    corners_.resize(first_corner_.back());
-    std::vector<int> next(first_corner_.begin(), first_corner_.end() - 1);
-    for (int q = 0; q < static_cast<int>(quads_.quads.size()); ++q) {
-      for (int k = 0; k < 4; ++k) corners_[next[quads_.quads[q][k]]++] = 4 * q + k;
     }
   }
 
@@ -157,9 +145,8 @@ class Smoother {
   // Least scaled Jacobian that a direction gives at the corners around a vertex, for a thin wall.
   double steepness(std::size_t v, const Vec3& direction) const {
     double least = 1.0;
-    for (int i = first_corner_[v]; i < first_corner_[v + 1]; ++i) {
-      const auto p = corners_of(quads_, corners_[i] / 4);
-      const int k = corners_[i] % 4;
+    for (const auto& [q, k] : corners_.at(v)) {
+      const auto p = corners_of(quads_, q);
       const Vec3 u = (p[(k + 1) % 4] - p[k]).normalized();
       least = std::min(least, u.cross((p[(k + 3) % 4] - p[k]).normalized()).dot(direction));
     }
@@ -171,8 +158,8 @@ class Smoother {
   const WallShape& shape_;
   std::vector<Vec3>& directions_;
   std::vector<int> first_neighbour_, neighbours_;  // of each vertex
-  std::vector<int> first_corner_, corners_;        // 4 q + k for each corner k of a quad q there
-  std::vector<char> bad_;                          // #Q
+  VertexCorners corners_;
+  std::vector<char> bad_;  // #Q
 };
 
 }  // namespace

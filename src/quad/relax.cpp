@@ -9,6 +9,7 @@
 
 #include "core/parallel.h"
 #include "quad/quality.h"
+#include "quad/vertex_corners.h"
 #include "surface/projector.h"
 
 namespace hexwall {
@@ -50,12 +51,10 @@ class Relaxer {
         size_(size),
         iterations_(iterations),
         projector_(surface, connectivity),
-        first_corner_(mesh.points.size() + 1, 0),
-        corners_(4 * mesh.quads.size()),
+        corners_(mesh),
         targets_(mesh.quads.size()),
         segment_(mesh.points.size(), 0),
         jacobian_(mesh.quads.size()) {
-    index_corners();
     for (const auto& loop : connectivity.loops()) {
       std::vector<Vec3> points;
       for (const int v : loop) points.push_back(surface.points[v]);
@@ -79,20 +78,6 @@ class Relaxer {
   }
 
  private:
-  // corners_[first_corner_[v] ...] lists 4 q + k for each corner k of a quad q at v.
-  void index_corners() {
-    for (const auto& quad : mesh_.quads) {
-      for (const int v : quad) ++first_corner_[v + 1];
-    }
-    for (std::size_t v = 0; v + 1 < first_corner_.size(); ++v) {
-      first_corner_[v + 1] += first_corner_[v];
-    }
-    std::vector<int> next(first_corner_.begin(), first_corner_.end() - 1);
-    for (std::size_t q = 0; q < mesh_.quads.size(); ++q) {
-      for (int k = 0; k < 4; ++k) corners_[next[mesh_.quads[q][k]]++] = static_cast<int>(4 * q) + k;
-    }
-  }
-
   // The segment of its loop on which each loop vertex lies: the nearest of all.
   void find_segments() {
     parallel_for(mesh_.points.size(), [&](std::size_t v) {
@@ -126,10 +111,9 @@ class Relaxer {
 
   void move_vertex(int v) {
     Vec3 sum = Vec3::Zero();
-    for (int i = first_corner_[v]; i < first_corner_[v + 1]; ++i) {
-      sum += targets_[corners_[i] / 4][corners_[i] % 4];
-    }
-    const Vec3 p = sum / (first_corner_[v + 1] - first_corner_[v]);
+    const auto corners = corners_.at(v);
+    for (const auto& [q, k] : corners) sum += targets_[q][k];
+    const Vec3 p = sum / static_cast<double>(corners.size());
     if (mesh_.loop_of_vertex[v] >= 0) {
       moved_[v] = loops_[mesh_.loop_of_vertex[v]].project(p, moved_segment_[v]);
     } else {
@@ -191,9 +175,7 @@ class Relaxer {
   std::vector<int> quads_around(const std::vector<int>& vertices) const {
     std::vector<int> quads;
     for (const int v : vertices) {
-      for (int i = first_corner_[v]; i < first_corner_[v + 1]; ++i) {
-        quads.push_back(corners_[i] / 4);
-      }
+      for (const QuadCorner& corner : corners_.at(v)) quads.push_back(corner.quad);
     }
     std::sort(quads.begin(), quads.end());
     quads.erase(std::unique(quads.begin(), quads.end()), quads.end());
@@ -215,7 +197,7 @@ class Relaxer {
   int iterations_;
   SurfaceProjector projector_;
   std::vector<LoopCurve> loops_;
-  std::vector<int> first_corner_, corners_;
+  VertexCorners corners_;
   std::vector<Corners> targets_;
   std::vector<int> segment_, moved_face_, moved_segment_;
   std::vector<double> jacobian_;  // scaled Jacobians of the quads
