@@ -29,7 +29,17 @@ ColumnSearch::ColumnSearch(QuadMesh& quads, std::vector<SurfacePoint>& places,
       directions_(directions),
       projector_(projector),
       shape_(shape),
-      corners_(quads) {}
+      first_quad_(quads.points.size() + 1, 0),
+      quads_of_vertex_(4 * quads.quads.size()) {
+  for (const auto& quad : quads.quads) {
+    for (const int v : quad) ++first_quad_[v + 1];
+  }
+  for (std::size_t v = 0; v < quads.points.size(); ++v) first_quad_[v + 1] += first_quad_[v];
+  std::vector<int> next(first_quad_.begin(), first_quad_.end() - 1);
+  for (std::size_t q = 0; q < quads.quads.size(); ++q) {
+    for (const int v : quads.quads[q]) quads_of_vertex_[next[v]++] = static_cast<int>(q);
+  }
+}
 
 bool ColumnSearch::improve(int v, double step,
                            const std::function<double(int, double)>& cost_around,

@@ -1,12 +1,11 @@
 #pragma once
 
 #include <functional>
-#include <ranges>
+#include <span>
 #include <vector>
 
 #include "hex/column.h"
 #include "quad/quad_mesh.h"
-#include "quad/vertex_corners.h"
 #include "surface/projector.h"
 
 namespace hexwall {
@@ -23,8 +22,9 @@ class ColumnSearch {
   const QuadMesh& quads() const { return quads_; }
   const std::vector<double>& levels() const { return shape_.plan.levels; }
   Column column(int q) const { return column_of(quads_, q, directions_, shape_); }
-  auto columns_around(int v) const {
-    return corners_.at(v) | std::views::transform(&QuadCorner::quad);
+  std::span<const int> columns_around(int v) const {
+    return {quads_of_vertex_.begin() + first_quad_[v],
+            quads_of_vertex_.begin() + first_quad_[v + 1]};
   }
 
   /// Length of the shortest edge at a vertex.
@@ -49,7 +49,7 @@ class ColumnSearch {
   std::vector<Vec3>& directions_;
   const SurfaceProjector& projector_;
   const WallShape& shape_;
-  VertexCorners corners_;
+  std::vector<int> first_quad_, quads_of_vertex_;
   double turn_ = 0.0;  // of the rings, in radians
 };
 
