@@ -27,6 +27,9 @@ constexpr double default_inward_ratio = 0.15;
 constexpr int most_fits = 8;
 constexpr double rounds_to_full_weight = 3.0;
 constexpr double most_lacking = 0.02;
+// So much must the least scaled Jacobian gain for each share of the area where the wall gets
+// thinner.
+constexpr double jacobian_per_area = 20.0;
 // Evening out leaves this share of the shortest edge at a vertex, however often.
 constexpr double least_share_of_edge = 0.5;
 
@@ -282,7 +285,8 @@ class WallFitter {
     return refitted && is_better(*refitted, best) ? *refitted : best;
   }
 
-  // Raises the worst columns further, if that costs neither thickness nor faces that can be split.
+  // Raises the worst columns further, if that costs no faces that can be split and hardly
+  // thickness.
   WallFit raise_worst(WallFit fit) {
     WallFit trial = fit;
     const EvenOutOptions options{columns_of(fit), fit.least_edge};
@@ -290,10 +294,11 @@ class WallFitter {
                                             trial.shape, options);
     if (trial.evened_vertices == fit.evened_vertices) return fit;
     const std::optional<WallFit> raised = fitted(std::move(trial));
-    const bool pays = raised &&
-                      raised->columns_without_face_tets <= fit.columns_without_face_tets &&
-                      raised->reduced_area_fraction() <= fit.reduced_area_fraction() &&
-                      raised->min_scaled_jacobian > fit.min_scaled_jacobian;
+    const bool pays =
+        raised && raised->columns_without_face_tets <= fit.columns_without_face_tets &&
+        raised->min_scaled_jacobian - fit.min_scaled_jacobian >
+            jacobian_per_area *
+                std::max(0.0, raised->reduced_area_fraction() - fit.reduced_area_fraction());
     return pays ? *raised : fit;
   }
 

@@ -83,9 +83,15 @@ struct LaplaceSolver::Implementation {
   void number_rows(const Connectivity& mesh);
   Sparse assemble(const Connectivity& mesh);
   void factorise(const Sparse& matrix);
+  // How to solve: in the interior only, and with right-hand sides that are zero nearly everywhere.
+  struct Task {
+    bool dirichlet;
+    bool is_sparse;
+  };
   // Solves for the columns of `x`, #V x k, in place; rows that are none of the matrix become zero.
-  void solve(Eigen::MatrixXd& x, bool dirichlet) const;
-  void solve_block(Eigen::Ref<Eigen::MatrixXd> x, bool dirichlet) const;
+  void solve(Eigen::MatrixXd& x, Task task) const;
+  void solve_block(Eigen::Ref<Eigen::MatrixXd> x, Task task) const;
+  void forward_substitution(Eigen::Ref<Eigen::VectorXd> x) const;
 };
 
 void LaplaceSolver::Implementation::number_rows(const Connectivity& mesh) {
@@ -143,14 +149,16 @@ void LaplaceSolver::Implementation::factorise(const Sparse& matrix) {
   std::vector<int> group(size, 0);
   std::fill(group.begin() + interior, group.end(), 1);
   std::vector<int> permutation(size);
-  cholmod_camd(matrix.get(), nullptr, 0, group.data(), permutation.data(), workspace.get());
+  { cholmod_camd(matrix.get(), nullptr, 0, group.data(), permutation.data(), workspace.get()); }
   cholmod_common& common = *workspace.get();
   common.nmethods = 1;
   common.method[0].ordering = CHOLMOD_GIVEN;
   common.postorder = 0;  // keeps the groups apart
-  factor = owned<Factor>(cholmod_analyze_p(matrix.get(), permutation.data(), nullptr, 0, &common),
-                         workspace);
-  cholmod_factorize(matrix.get(), factor.get(), &common);
+  {
+    factor = owned<Factor>(cholmod_analyze_p(matrix.get(), permutation.data(), nullptr, 0, &common),
+                           workspace);
+  }
+  { cholmod_factorize(matrix.get(), factor.get(), &common); }
   if (common.status != CHOLMOD_OK) {
     throw GeometryError(
         "the surface has triangles too thin to solve for harmonic functions on: remesh it");
@@ -160,24 +168,38 @@ void LaplaceSolver::Implementation::factorise(const Sparse& matrix) {
   for (std::size_t i = 0; i < size; ++i) order.push_back(vertices[rows[i]]);
 }
 
-void LaplaceSolver::Implementation::solve_block(Eigen::Ref<Eigen::MatrixXd> x,
-                                                bool dirichlet) const {
+// By the columns of L of which x has a part: few, if it has few nonzeros to begin with.
+void LaplaceSolver::Implementation::forward_substitution(Eigen::Ref<Eigen::VectorXd> x) const {
+  const int* const start = static_cast<const int*>(factor->p);
+  const int* const count = static_cast<const int*>(factor->nz);
+  const int* const row = static_cast<const int*>(factor->i);
+  const double* const value = static_cast<const double*>(factor->x);
+  for (Eigen::Index j = 0; j < x.size(); ++j) {
+    if (x[j] == 0.0) continue;
+    x[j] /= value[start[j]];
+    for (int k = start[j] + 1; k < start[j] + count[j]; ++k) x[row[k]] -= value[k] * x[j];
+  }
+}
+
+void LaplaceSolver::Implementation::solve_block(Eigen::Ref<Eigen::MatrixXd> x, Task task) const {
   const auto size = static_cast<Eigen::Index>(order.size());
-  const Eigen::Index rows = dirichlet ? interior : size;
+  const Eigen::Index rows = task.dirichlet ? interior : size;
   Eigen::MatrixXd permuted = Eigen::MatrixXd::Zero(size, x.cols());
   for (Eigen::Index k = 0; k < x.cols(); ++k) {
     for (Eigen::Index i = 0; i < rows; ++i) permuted(i, k) = x(order[i], k);
   }
   Workspace own;
-  cholmod_dense rhs = as_dense(permuted);
-  const auto forward = owned<Dense>(cholmod_solve(CHOLMOD_L, factor.get(), &rhs, own.get()), own);
-  // Without its last rows the intermediate vector is that of the leading block.
-  double* const values = static_cast<double*>(forward->x);
-  for (Eigen::Index k = 0; k < x.cols(); ++k) {
-    std::fill(values + k * size + rows, values + (k + 1) * size, 0.0);
+  if (task.is_sparse) {
+    for (auto column : permuted.colwise()) forward_substitution(column);
+  } else {
+    cholmod_dense rhs = as_dense(permuted);
+    const auto forward = owned<Dense>(cholmod_solve(CHOLMOD_L, factor.get(), &rhs, own.get()), own);
+    std::copy_n(static_cast<const double*>(forward->x), permuted.size(), permuted.data());
   }
-  const auto solution =
-      owned<Dense>(cholmod_solve(CHOLMOD_Lt, factor.get(), forward.get(), own.get()), own);
+  // Without its last rows the intermediate vector is that of the leading block.
+  permuted.bottomRows(size - rows).setZero();
+  cholmod_dense rhs = as_dense(permuted);
+  const auto solution = owned<Dense>(cholmod_solve(CHOLMOD_Lt, factor.get(), &rhs, own.get()), own);
   const Eigen::Map<const Eigen::MatrixXd> u(static_cast<const double*>(solution->x), size,
                                             x.cols());
   x.setZero();
@@ -186,15 +208,15 @@ void LaplaceSolver::Implementation::solve_block(Eigen::Ref<Eigen::MatrixXd> x,
   }
 }
 
-void LaplaceSolver::Implementation::solve(Eigen::MatrixXd& x, bool dirichlet) const {
-  if (order.empty() || (dirichlet && interior == 0)) {
+void LaplaceSolver::Implementation::solve(Eigen::MatrixXd& x, Task task) const {
+  if (order.empty() || (task.dirichlet && interior == 0)) {
     x.setZero();
     return;
   }
   const Eigen::Index blocks = (x.cols() + block_columns - 1) / block_columns;
   parallel_tasks(static_cast<std::size_t>(blocks), [&](std::size_t i) {
     const Eigen::Index first = static_cast<Eigen::Index>(i) * block_columns;
-    solve_block(x.middleCols(first, std::min(block_columns, x.cols() - first)), dirichlet);
+    solve_block(x.middleCols(first, std::min(block_columns, x.cols() - first)), task);
   });
 }
 
@@ -220,7 +242,7 @@ LaplaceSolver& LaplaceSolver::operator=(LaplaceSolver&&) noexcept = default;
 
 Eigen::MatrixXd LaplaceSolver::solve_dirichlet(const Eigen::MatrixXd& rhs) const {
   Eigen::MatrixXd u = rhs;
-  implementation_->solve(u, true);
+  implementation_->solve(u, {.dirichlet = true, .is_sparse = true});
   return u;
 }
 
@@ -228,14 +250,14 @@ Eigen::MatrixXd LaplaceSolver::harmonic_extension(const Eigen::MatrixXd& boundar
   const Implementation& s = *implementation_;
   Eigen::MatrixXd u = Eigen::MatrixXd::Zero(boundary.rows(), boundary.cols());
   for (const auto& c : s.coupling) u.row(c.interior) += c.weight * boundary.row(c.boundary);
-  s.solve(u, true);
+  s.solve(u, {.dirichlet = true, .is_sparse = false});
   for (const int v : s.boundary) u.row(v) = boundary.row(v);
   return u;
 }
 
 Eigen::MatrixXd LaplaceSolver::solve_neumann(const Eigen::MatrixXd& rhs) const {
   Eigen::MatrixXd u = rhs;
-  implementation_->solve(u, false);
+  implementation_->solve(u, {.dirichlet = false, .is_sparse = false});
   return u;
 }
 

@@ -21,7 +21,8 @@ class LaplaceSolver {
   LaplaceSolver(LaplaceSolver&&) noexcept;
   LaplaceSolver& operator=(LaplaceSolver&&) noexcept;
 
-  /// The functions with L u = rhs at interior vertices and u = 0 at the boundary.
+  /// The functions with L u = rhs at interior vertices and u = 0 at the boundary. Quickest where
+  /// each column of rhs is zero but for some vertices.
   /// \param rhs #V x k; its rows of boundary vertices are ignored.
   Eigen::MatrixXd solve_dirichlet(const Eigen::MatrixXd& rhs) const;
 

@@ -9,13 +9,40 @@
 namespace hexwall {
 namespace {
 
-// Faces of a hex whose normals point out, by its corners in VTK's order.
-constexpr std::array<std::array<int, 4>, 6> faces_of_hex{
-    {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}};
-
 // A face counts as extended by at least these shares of the distance of the cells, as in OpenFOAM.
 constexpr double least_extent_inside = 0.2;
 constexpr double least_extent_at_boundary = 0.4;
+
+/// `FaceGeometry` of four faces.
+struct FaceLanes {
+  VectorLanes center, area;
+};
+
+// `face_geometry` of the faces with the corners a, b, c, d of each lane.
+FaceLanes face_lanes(const VectorLanes& a, const VectorLanes& b, const VectorLanes& c,
+                     const VectorLanes& d) {
+  const VectorLanes middle = Lanes::Constant(0.25) * (a + b + c + d);
+  VectorLanes area(Vec3::Zero());
+  VectorLanes moment(Vec3::Zero());
+  Lanes weights = Lanes::Zero();
+  const auto add = [&](const VectorLanes& p, const VectorLanes& q) {
+    const VectorLanes doubled_area = cross(q - p, middle - p);
+    const Lanes weight = dot(doubled_area, doubled_area).sqrt();
+    area = area + doubled_area;
+    moment = moment + weight * (p + q + middle);
+    weights += weight;
+  };
+  add(a, b);
+  add(b, c);
+  add(c, d);
+  add(d, a);
+  const auto weighted = [&](const Lanes& sum, const Lanes& mean) {
+    return Lanes((weights > 0.0).select(sum / (3.0 * weights), mean));
+  };
+  return {
+      {weighted(moment.x, middle.x), weighted(moment.y, middle.y), weighted(moment.z, middle.z)},
+      Lanes::Constant(0.5) * area};
+}
 
 double relative(const Vec3& offset, std::span<const Vec3> face, const Vec3& center,
                 double least_extent) {
@@ -64,13 +91,26 @@ CellGeometry cell_geometry(std::span<const FaceGeometry> faces) {
   return {volume > 0.0 ? Vec3(sum / volume) : middle, volume / 3.0};
 }
 
-Vec3 cell_center(const std::array<Vec3, 8>& corners) {
-  std::array<FaceGeometry, 6> faces;
-  for (int f = 0; f < 6; ++f) {
-    const auto& c = faces_of_hex[f];
-    faces[f] = face_geometry(Face{corners[c[0]], corners[c[1]], corners[c[2]], corners[c[3]]});
-  }
-  return cell_geometry(faces).center;
+Vec3 cell_center(const VectorLanes& low, const VectorLanes& high) {
+  const FaceLanes sides = face_lanes(low, next(low), next(high), high);
+  const auto level = [](const VectorLanes& face) {
+    return face_geometry(Face{face[0], face[1], face[2], face[3]});
+  };
+  const FaceGeometry bottom = level(low);
+  const FaceGeometry top = level(high);
+  const Vec3 middle = (4.0 * sides.center.mean() + bottom.center + top.center) / 6.0;
+  const Lanes pyramids = dot(sides.area, sides.center - VectorLanes(middle));
+  const double below = -bottom.area.dot(bottom.center - middle);
+  const double above = top.area.dot(top.center - middle);
+  const double volume = pyramids.sum() + below + above;
+  if (!(volume > 0.0)) return middle;
+  const Vec3 moment =
+      4.0 * (pyramids * sides.center).mean() + below * bottom.center + above * top.center;
+  return 0.75 * moment / volume + 0.25 * middle;
+}
+
+Vec3 cell_center(const std::array<Vec3, 8>& p) {
+  return cell_center(VectorLanes({p[0], p[1], p[2], p[3]}), VectorLanes({p[4], p[5], p[6], p[7]}));
 }
 
 double skewness_between(std::span<const Vec3> face, const FaceGeometry& geometry, const Vec3& owner,

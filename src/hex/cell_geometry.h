@@ -3,6 +3,7 @@
 #include <array>
 #include <span>
 
+#include "surface/lanes.h"
 #include "surface/triangle_surface.h"
 
 namespace hexwall {
@@ -30,7 +31,11 @@ struct CellGeometry {
 /// \param faces with areas pointing out.
 CellGeometry cell_geometry(std::span<const FaceGeometry> faces);
 
-/// Centre of a hex, see above. \param corners in VTK's order.
+/// Centre of a hex, see above. \param low, high corners of opposite faces, counter-clockwise seen
+/// from above.
+Vec3 cell_center(const VectorLanes& low, const VectorLanes& high);
+
+/// The same. \param corners in VTK's order.
 Vec3 cell_center(const std::array<Vec3, 8>& corners);
 
 /// Skewness of a face between two cells, as OpenFOAM's checkMesh measures it: how far the line

@@ -6,28 +6,61 @@
 #include <Eigen/Geometry>
 
 #include "hex/cell_geometry.h"
-#include "hex/quality.h"
+#include "surface/lanes.h"
 
 namespace hexwall {
 namespace {
 
-Face level_face(const Column& column, double level) {
-  Face face;
-  for (int k = 0; k < 4; ++k) {
-    face[k] =
-        point_at(column.base[k], column.direction[k], column.outward[k], column.inward[k], level);
+/// The column's corners at each level.
+class Levels {
+ public:
+  explicit Levels(const Column& column)
+      : base_(column.base),
+        direction_(column.direction),
+        outward_(column.outward.data()),
+        inward_(column.inward.data()) {}
+
+  const VectorLanes& direction() const { return direction_; }
+
+  VectorLanes at(double level) const {
+    return base_ + (level * (level < 0.0 ? inward_ : outward_)) * direction_;
   }
-  return face;
+
+ private:
+  VectorLanes base_, direction_;
+  Lanes outward_, inward_;
+};
+
+// The triple products of what goes from the corners of a face to the next and the previous ones,
+// of length 1, and of `up`.
+Lanes corner_jacobians(const VectorLanes& face, const VectorLanes& up) {
+  const VectorLanes edge = normalized(next(face) - face);
+  return dot(cross(previous(edge), edge), up);
 }
 
-Vec3 center(const Face& face) {
-  return 0.25 * (face[0] + face[1] + face[2] + face[3]);
+// Least height of `below` under the triangles of the faces a, b, c, d of each lane, split by the
+// better diagonal.
+Lanes best_split_heights(const VectorLanes& a, const VectorLanes& b, const VectorLanes& c,
+                         const VectorLanes& d, const VectorLanes& below) {
+  const auto height = [&](const VectorLanes& p, const VectorLanes& q, const VectorLanes& r) {
+    return Lanes(dot(p - below, normalized(cross(q - p, r - p))));
+  };
+  const Lanes one = height(a, b, c).min(height(a, c, d));
+  const Lanes other = height(b, c, d).min(height(b, d, a));
+  return one.max(other);
 }
 
-// `split_height` of the better diagonal, towards the cell below the face, the one above it, or
-// both.
-double best_split_height(const Face& face, const Vec3* below, const Vec3* above) {
-  return std::max(split_height(face, 0, below, above), split_height(face, 1, below, above));
+// Least height of `above` over, and of `below` under, the triangles of a face split by the better
+// diagonal. Null where there is no such point.
+double best_split_height(const VectorLanes& face, const Vec3* below, const Vec3* above) {
+  // Of each corner, the next one and the one opposite: the first and the third triangle lie on
+  // either side of one diagonal, the others of the other one.
+  const VectorLanes edge = next(face) - face;
+  const VectorLanes normal = normalized(cross(edge, next(edge)));
+  Lanes height = Lanes::Constant(std::numeric_limits<double>::max());
+  if (above != nullptr) height = height.min(dot(VectorLanes(*above) - face, normal));
+  if (below != nullptr) height = height.min(dot(face - VectorLanes(*below), normal));
+  return std::max(std::min(height[0], height[2]), std::min(height[1], height[3]));
 }
 
 }  // namespace
@@ -46,25 +79,27 @@ Column column_of(const QuadMesh& quads, int quad, const std::vector<Vec3>& direc
 }
 
 double scaled_jacobian(const Column& column, const std::vector<double>& levels) {
-  double least = 1.0;
-  Face low = level_face(column, levels.front());
+  const Levels corners(column);
+  Lanes least = Lanes::Ones();
+  VectorLanes low = corners.at(levels.front());
   for (std::size_t i = 0; i + 1 < levels.size(); ++i) {
-    const Face high = level_face(column, levels[i + 1]);
-    least = std::min(least, scaled_jacobian({low[0], low[1], low[2], low[3], high[0], high[1],
-                                             high[2], high[3]}));
+    const VectorLanes high = corners.at(levels[i + 1]);
+    const VectorLanes up = normalized(high - low);
+    least = least.min(corner_jacobians(low, up)).min(corner_jacobians(high, up));
     low = high;
   }
-  return least;
+  return least.minCoeff();
 }
 
 double face_split(const Column& column, const std::vector<double>& levels) {
+  const Levels corners(column);
   double least = 1.0;
   Vec3 center_below = Vec3::Zero();
-  Face low = level_face(column, levels.front());
-  Vec3 low_center = center(low);
+  VectorLanes low = corners.at(levels.front());
+  Vec3 low_center = low.mean();
   for (std::size_t i = 0; i + 1 < levels.size(); ++i) {
-    const Face high = level_face(column, levels[i + 1]);
-    const Vec3 high_center = center(high);
+    const VectorLanes high = corners.at(levels[i + 1]);
+    const Vec3 high_center = high.mean();
     const Vec3 center_above = 0.5 * (low_center + high_center);
     if (i > 0) {
       const double split = best_split_height(low, &center_below, &center_above);
@@ -78,23 +113,20 @@ double face_split(const Column& column, const std::vector<double>& levels) {
 }
 
 double face_tet_margin(const Column& column, const std::vector<double>& levels) {
+  const Levels corners(column);
   double least = std::numeric_limits<double>::max();
-  Face low = level_face(column, levels.front());
+  VectorLanes low = corners.at(levels.front());
   Vec3 center_below;
   for (std::size_t i = 0; i + 1 < levels.size(); ++i) {
-    const Face high = level_face(column, levels[i + 1]);
-    const Vec3 cell =
-        cell_center({low[0], low[1], low[2], low[3], high[0], high[1], high[2], high[3]});
+    const VectorLanes high = corners.at(levels[i + 1]);
+    const Vec3 cell = cell_center(low, high);
     double height = best_split_height(low, i > 0 ? &center_below : nullptr, &cell);
-    for (int k = 0; k < 4; ++k) {
-      const int j = (k + 1) % 4;
-      height =
-          std::min(height, best_split_height({low[k], low[j], high[j], high[k]}, &cell, nullptr));
-    }
+    height = std::min(
+        height, best_split_heights(low, next(low), next(high), high, VectorLanes(cell)).minCoeff());
     if (i + 2 == levels.size()) {
       height = std::min(height, best_split_height(high, &cell, nullptr));
     }
-    const double distance = (center(high) - center(low)).norm();
+    const double distance = (high.mean() - low.mean()).norm();
     least = std::min(least, distance > 0.0 ? height / distance : 0.0);
     center_below = cell;
     low = high;
@@ -103,38 +135,25 @@ double face_tet_margin(const Column& column, const std::vector<double>& levels) 
 }
 
 double corner_deficit(const Column& column, const std::vector<double>& levels, int squarings) {
-  double sum = 0.0;
+  const Levels corners(column);
+  Lanes sum = Lanes::Zero();
   for (const double level : levels) {
-    const Face face = level_face(column, level);
-    std::array<Vec3, 4> edge;
-    for (int k = 0; k < 4; ++k) edge[k] = (face[(k + 1) % 4] - face[k]).normalized();
-    for (int k = 0; k < 4; ++k) {
-      const double jacobian = edge[(k + 3) % 4].cross(edge[k]).dot(column.direction[k]);
-      sum += squared(1.0 - jacobian, squarings);
-    }
+    Lanes deficit = 1.0 - corner_jacobians(corners.at(level), corners.direction());
+    for (int i = 0; i < squarings; ++i) deficit *= deficit;
+    sum += deficit;
   }
-  return sum;
+  return sum.sum();
 }
 
 double skew(const Column& column) {
-  const auto& p = column.base;
-  double sum = 0.0;
-  for (int k = 0; k < 4; ++k) {
-    const Vec3 u = (p[(k + 1) % 4] - p[k]).normalized();
-    sum += squared(u.dot((p[(k + 3) % 4] - p[k]).normalized()), 1);
-  }
-  return sum;
+  const VectorLanes base(column.base);
+  const VectorLanes edge = normalized(next(base) - base);
+  return dot(edge, previous(edge)).square().sum();
 }
 
 double flat_quality(const Column& column) {
-  const auto& p = column.base;
-  double least = 1.0;
-  for (int k = 0; k < 4; ++k) {
-    const Vec3 u = (p[(k + 1) % 4] - p[k]).normalized();
-    const Vec3 v = (p[(k + 3) % 4] - p[k]).normalized();
-    least = std::min(least, u.cross(v).dot(column.direction[k]));
-  }
-  return least;
+  return std::min(
+      1.0, corner_jacobians(VectorLanes(column.base), VectorLanes(column.direction)).minCoeff());
 }
 
 }  // namespace hexwall

@@ -15,7 +15,8 @@ namespace {
 // Columns with hexes below this are evened out with the rings of vertices around them, unless that
 // is much of the mesh.
 constexpr double poor_jacobian = 0.62;
-constexpr int even_rings = 3;
+constexpr int rings_around_poor = 3;
+constexpr int rings_around_worst = 2;
 constexpr double most_evened = 0.2;
 // The very worst are those within this of the worst.
 constexpr double worst_range = 0.06;
@@ -25,7 +26,7 @@ constexpr double greatest_split_weight = 1.0;
 constexpr double worst_split_weight = 0.55;
 // Powers of what corners lack, in number of squarings.
 constexpr int first_squarings = 4;
-constexpr int most_squarings = 6;
+constexpr int most_squarings = 7;
 // Keeps good quads square: with the first power it weighs like corners that lack about 0.37.
 constexpr double first_skew_weight = 1e-7;
 // Vertices stay, for the while, where the corners around them lack less than about 0.29.
@@ -35,13 +36,14 @@ constexpr double least_share_of_edge = 0.8;
 // Steps start with this, or half of it where the power was raised, and are halved after so many
 // sweeps, or where a sweep leaves more than this share of the cost.
 constexpr double first_step = 0.5;
-constexpr int most_halvings = 5;
+constexpr int most_halvings = 4;
 constexpr int most_sweeps = 12;
-constexpr double enough_decrease = 0.9;
+constexpr double enough_decrease = 0.8;
 
 /// Which columns are evened out, and what counts.
 struct Goals {
   double poor_jacobian;
+  int rings;  ///< around them
   double split_weight;
   int squarings;         ///< of the first power
   bool keeps_face_tets;  ///< no face is lost to OpenFOAM
@@ -65,7 +67,7 @@ class Evener {
     for (const int v : vertices_) {
       least_edge_[v] = std::max(least_share_of_edge * search_.shortest_edge(v), least_edge_[v]);
     }
-    find_groups();
+    find_vertices_apart();
     moved_.assign(least_edge_.size(), 0);
     cost_.resize(least_edge_.size());
     for (int squarings = goals_.squarings; squarings <= last_squarings; ++squarings) {
@@ -90,44 +92,34 @@ class Evener {
   double sweep(double step) {
     const double good = squared(first_good_cost, squarings_ - first_squarings);
     search_.turn_rings();
-    parallel_tasks(groups_.size(), [&](std::size_t group) {
-      for (const int v : groups_[group]) {
+    for (const std::vector<int>& apart : vertices_apart_) {
+      parallel_tasks(apart.size(), [&](std::size_t i) {
+        const int v = apart[i];
         cost_[v] = cost_around(v);
         if (cost_[v] > good && improve(v, step)) moved_[v] = 1;
-      }
-    });
-    // In an order that does not depend on the groups.
+      });
+    }
     return std::accumulate(vertices_.begin(), vertices_.end(), 0.0,
                            [this](double sum, int v) { return sum + cost_[v]; });
   }
 
-  // Vertices of different groups have no quad in common, so that neither sees the other one move.
-  void find_groups() {
-    std::vector<char> is_waiting(least_edge_.size(), 0);
-    for (const int v : vertices_) is_waiting[v] = 1;
+  // Sorts the vertices into classes in which no two have a quad in common, so that none sees
+  // another one of its class move.
+  void find_vertices_apart() {
+    std::vector<int> number(least_edge_.size(), -1);
     for (const int v : vertices_) {
-      if (is_waiting[v] != 0) groups_.push_back(group_of(v, is_waiting));
-    }
-  }
-
-  std::vector<int> group_of(int first, std::vector<char>& is_waiting) const {
-    std::vector<int> group;
-    std::vector<int> front;
-    const auto take = [&](int v) {
-      if (is_waiting[v] != 0) front.push_back(v);
-      is_waiting[v] = 0;
-    };
-    take(first);
-    while (!front.empty()) {
-      group.push_back(front.back());
-      front.pop_back();
-      for (const int q : search_.columns_around(group.back())) {
-        const auto& quad = search_.quads().quads[q];
-        std::for_each(quad.begin(), quad.end(), take);
+      std::vector<char> is_taken(vertices_apart_.size() + 1, 0);
+      for (const int q : search_.columns_around(v)) {
+        for (const int w : search_.quads().quads[q]) {
+          if (number[w] >= 0) is_taken[number[w]] = 1;
+        }
       }
+      number[v] =
+          static_cast<int>(std::find(is_taken.begin(), is_taken.end(), 0) - is_taken.begin());
+      vertices_apart_.resize(
+          std::max(vertices_apart_.size(), static_cast<std::size_t>(number[v]) + 1));
+      vertices_apart_[number[v]].push_back(v);
     }
-    std::sort(group.begin(), group.end());
-    return group;
   }
 
   std::vector<int> vertices_around_poor_columns() const {
@@ -139,7 +131,7 @@ class Evener {
       in_region[q] = is_poor ? 1 : 0;
     }
     std::vector<char> near(search_.quads().points.size(), 0);
-    for (int ring = 0; ring <= even_rings; ++ring) {
+    for (int ring = 0; ring <= goals_.rings; ++ring) {
       for (std::size_t q = 0; q < quads.size(); ++q) {
         if (in_region[q] == 0) continue;
         for (const int v : quads[q]) near[v] = 1;
@@ -197,7 +189,7 @@ class Evener {
   int squarings_ = first_squarings;
   std::vector<double> least_edge_;  // #V
   std::vector<int> vertices_;       // that may be moved or turned
-  std::vector<std::vector<int>> groups_;
+  std::vector<std::vector<int>> vertices_apart_;
   std::vector<char> moved_;   // #V
   std::vector<double> cost_;  // #V, around each one when it was looked at last
 };
@@ -210,7 +202,7 @@ int even_out(QuadMesh& quads, std::vector<SurfacePoint>& places, std::vector<Vec
   ColumnSearch search(quads, places, directions, projector, shape);
   const double split_weight =
       least_split_weight + options.face_tets * (greatest_split_weight - least_split_weight);
-  const Goals goals{poor_jacobian, split_weight, first_squarings, false};
+  const Goals goals{poor_jacobian, rings_around_poor, split_weight, first_squarings, false};
   return Evener(search, goals, options).run(first_squarings);
 }
 
@@ -219,7 +211,7 @@ int even_out_worst(QuadMesh& quads, std::vector<SurfacePoint>& places,
                    const WallShape& shape, const EvenOutOptions& options) {
   ColumnSearch search(quads, places, directions, projector, shape);
   const double poor = std::min(poor_jacobian, least_scaled_jacobian(options.columns) + worst_range);
-  const Goals goals{poor, worst_split_weight, first_squarings + 1, true};
+  const Goals goals{poor, rings_around_worst, worst_split_weight, first_squarings + 1, true};
   return Evener(search, goals, options).run(most_squarings);
 }
 

@@ -26,7 +26,7 @@ int even_out(QuadMesh& quads, std::vector<SurfacePoint>& places, std::vector<Vec
              const EvenOutOptions& options);
 
 /// Raises the very worst hexes further, of what `even_out` left: the same with powers up to the
-/// 64th, which come close to the least scaled Jacobian itself. Faces that OpenFOAM can split stay
+/// 128th, which come close to the least scaled Jacobian itself. Faces that OpenFOAM can split stay
 /// so, but in `hopeless_columns`; `face_tets` does not count. \return vertices moved or turned.
 int even_out_worst(QuadMesh& quads, std::vector<SurfacePoint>& places,
                    std::vector<Vec3>& directions, const SurfaceProjector& projector,

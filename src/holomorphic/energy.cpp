@@ -15,17 +15,21 @@ constexpr Eigen::Index chunk = 4096;
 
 // Gradients of n piecewise linear functions on one triangle, times sqrt(area / rho): 2 x n in a
 // frame of the triangle, so that the column products integrate grad g_i . grad g_j / rho.
-Eigen::Matrix2Xd scaled_gradients(const AreaEnergyInput& input, int f) {
+template <class Gradients>
+void find_scaled_gradients(const AreaEnergyInput& input, int f, Gradients&& gradients) {
   const auto& [a, b, c] = input.surface.triangles[f];
   const Vec3 u = input.surface.points[b] - input.surface.points[a];
   const Vec3 v = input.surface.points[c] - input.surface.points[a];
   const double length = u.norm();
   const double along = u.dot(v) / length;
   const double height = u.cross(v).norm() / length;
-  Eigen::Matrix2Xd gradients(2, input.g.cols());
-  gradients.row(0) = (input.g.row(b) - input.g.row(a)) / length;
-  gradients.row(1) = (input.g.row(c) - input.g.row(a) - along * gradients.row(0)) / height;
-  return gradients * std::sqrt(0.5 * length * height / input.rho[input.parent_face[f]]);
+  const double scale = std::sqrt(0.5 * length * height / input.rho[input.parent_face[f]]);
+  for (Eigen::Index i = 0; i < input.g.cols(); ++i) {
+    const double x = (input.g(b, i) - input.g(a, i)) / length;
+    const double y = (input.g(c, i) - input.g(a, i) - along * x) / height;
+    gradients(0, i) = scale * x;
+    gradients(1, i) = scale * y;
+  }
 }
 
 /// The triangles of the refined surface that count, ordered by the input triangles they lie in, and
@@ -80,12 +84,13 @@ class QuarticEnergy final : public AreaEnergy {
     quadratic_ = Eigen::MatrixXd::Zero(m, m);
     linear_ = Eigen::VectorXd::Zero(m);
     const double scale = 1.0 / pieces.areas.squaredNorm();
+    Eigen::Matrix2Xd gradients(2, n_);
     std::size_t next = 0;
     for (Eigen::Index first = 0; first < pieces.areas.size(); first += chunk) {
       const Eigen::Index count = std::min(chunk, pieces.areas.size() - first);
       Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(m, count);
       for (; next < pieces.faces.size() && pieces.parents[next] < first + count; ++next) {
-        const Eigen::Matrix2Xd gradients = scaled_gradients(input, pieces.faces[next]);
+        find_scaled_gradients(input, pieces.faces[next], gradients);
         auto row = rows.col(pieces.parents[next] - first);
         for_monomials(n_, [&](int k, int i, int j) {
           row[k] += (i == j ? 1.0 : 2.0) * gradients.col(i).dot(gradients.col(j));
@@ -148,8 +153,8 @@ FacewiseEnergy::FacewiseEnergy(const AreaEnergyInput& input) {
   Pieces pieces(input);
   gradients_.resize(2 * static_cast<Eigen::Index>(pieces.faces.size()), input.g.cols());
   for (std::size_t i = 0; i < pieces.faces.size(); ++i) {
-    gradients_.middleRows<2>(2 * static_cast<Eigen::Index>(i)) =
-        scaled_gradients(input, pieces.faces[i]);
+    find_scaled_gradients(input, pieces.faces[i],
+                          gradients_.middleRows<2>(2 * static_cast<Eigen::Index>(i)));
   }
   parent_face_ = std::move(pieces.parents);
   areas_ = std::move(pieces.areas);

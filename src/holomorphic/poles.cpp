@@ -36,6 +36,8 @@ constexpr int nearest_forms = 8;
 // Candidates are compared by their energy on about as many triangles, evenly taken from all: enough
 // to rank them, and the energy of a pole that is placed is computed on all.
 constexpr int judged_triangles = 4000;
+// So many right-hand sides are solved for at once.
+constexpr std::size_t judged_at_once = 3;
 constexpr std::size_t descents_few_forms = 20;
 constexpr std::size_t descents_many_forms = 6;
 // A judgement is some percent off: places are tried that promise this share of the gain asked for.
@@ -120,12 +122,11 @@ struct Judgement {
 class Judge {
  public:
   Judge(const FormProblem& problem, const FormSolution& solution, double region_radius)
-      : problem_(problem),
-        s_(solution),
+      : s_(solution),
         left_out_(left_out_radius * region_radius),
-        vanishing_(vanishing_radius * region_radius),
-        g_(potentials(solution.basis)) {
-    choose_triangles();
+        vanishing_(vanishing_radius * region_radius) {
+    choose_triangles(problem);
+    g_ = potentials(solution.basis)(vertices_, Eigen::all);
     if (solution.basis.size() > all_forms) optimum_ = g_ * solution.optimum.lambda;
     for (const auto& loop : solution.connectivity.loops()) {
       lengths_.push_back(loop_shape(points_of(solution.refined.surface, loop)).length);
@@ -135,17 +136,21 @@ class Judge {
 
   /// What poles at each of these groups of vertices would give, the best one first.
   std::vector<Judgement> judge(const std::vector<std::vector<int>>& groups) const {
-    std::vector<int> vertices;
-    for (const auto& group : groups) vertices.insert(vertices.end(), group.begin(), group.end());
-    Eigen::MatrixXd charges =
-        Eigen::MatrixXd::Zero(g_.rows(), static_cast<Eigen::Index>(vertices.size()));
-    for (Eigen::Index i = 0; i < charges.cols(); ++i) charges(vertices[i], i) = 1.0;
-    const Eigen::MatrixXd potentials = charge_potentials(charges, vertices);
     std::vector<Judgement> judgements(groups.size());
-    parallel_tasks(groups.size(), [&](std::size_t i) {
-      const auto size = static_cast<Eigen::Index>(groups[i].size());
-      const auto first = static_cast<Eigen::Index>(i) * size;  // groups are of equal size
-      judgements[i] = judge_one(groups[i], potentials.middleCols(first, size));
+    const std::size_t blocks = (groups.size() + judged_at_once - 1) / judged_at_once;
+    parallel_tasks(blocks, [&](std::size_t block) {
+      const std::size_t first = block * judged_at_once;
+      const std::size_t last = std::min(first + judged_at_once, groups.size());
+      std::vector<int> charged;
+      for (std::size_t i = first; i < last; ++i) {
+        charged.insert(charged.end(), groups[i].begin(), groups[i].end());
+      }
+      const Eigen::MatrixXd potentials = charge_potentials(charged);
+      for (std::size_t i = first; i < last; ++i) {
+        const auto size = static_cast<Eigen::Index>(groups[i].size());  // the same of all groups
+        judgements[i] = judge_one(
+            groups[i], potentials.middleCols(static_cast<Eigen::Index>(i - first) * size, size));
+      }
     });
     std::stable_sort(judgements.begin(), judgements.end(),
                      [](const Judgement& a, const Judgement& b) { return a.energy < b.energy; });
@@ -155,14 +160,18 @@ class Judge {
  private:
   // Unit charges whose flux leaves through the exterior loop alone: the Dirichlet solution u loses
   // f_i(v) through loop i (its harmonic measure); f Capacity^-1 f(v) brings that back.
-  Eigen::MatrixXd charge_potentials(const Eigen::MatrixXd& charges,
-                                    const std::vector<int>& vertices) const {
-    Eigen::MatrixXd harmonic_measure(s_.basis.size(), charges.cols());
-    for (Eigen::Index i = 0; i < charges.cols(); ++i) {
-      harmonic_measure.col(i) = s_.basis.f.row(vertices[i]).transpose();
+  // \returns #vertices_ x #charged.
+  Eigen::MatrixXd charge_potentials(const std::vector<int>& charged) const {
+    const auto count = static_cast<Eigen::Index>(charged.size());
+    Eigen::MatrixXd charges = Eigen::MatrixXd::Zero(s_.basis.f.rows(), count);
+    Eigen::MatrixXd harmonic_measure(s_.basis.size(), count);
+    for (Eigen::Index i = 0; i < count; ++i) {
+      charges(charged[i], i) = 1.0;
+      harmonic_measure.col(i) = s_.basis.f.row(charged[i]).transpose();
     }
     const Eigen::MatrixXd u = s_.laplace->solve_dirichlet(charges);
-    return -(u + s_.basis.f * s_.basis.capacity.llt().solve(harmonic_measure));
+    return -(u(vertices_, Eigen::all) +
+             s_.basis.f(vertices_, Eigen::all) * s_.basis.capacity.llt().solve(harmonic_measure));
   }
 
   /// What the energy of some charges is made of.
@@ -210,9 +219,9 @@ class Judge {
 
   Judgement judge_one(const std::vector<int>& vertices, const Eigen::MatrixXd& potentials) const {
     const Trial trial = trial_with(vertices, potentials);
-    const std::vector<int> faces = faces_away_from(vertices);
+    const std::vector<int> parents = parents_away_from(vertices);
     const auto energy =
-        area_energy({s_.refined.surface, faces, static_cast<int>(rho_.size()), trial.g, rho_});
+        area_energy({sample_, parents, static_cast<int>(rho_.size()), trial.g, rho_});
     const Descent best = best_descent(*energy, trial);
     // Where the neighbourhood left out is all of the surface, there is no energy to descend.
     Judgement judgement{vertices, best.energy, {}};
@@ -225,28 +234,46 @@ class Judge {
   }
 
   // Every k-th triangle of the surface is judged by.
-  void choose_triangles() {
-    const auto count = static_cast<int>(problem_.surface.triangles.size());
+  void choose_triangles(const FormProblem& problem) {
+    const auto count = static_cast<int>(problem.surface.triangles.size());
     const int step = std::max(1, count / judged_triangles);
-    const Eigen::VectorXd rho = sizing_weights(problem_.edge);
+    const Eigen::VectorXd rho = sizing_weights(problem.edge);
     rho_.resize((count + step - 1) / step);
     for (Eigen::Index i = 0; i < rho_.size(); ++i) rho_[i] = rho[i * step];
-    for (const int f : s_.refined.parent_face) faces_.push_back(f % step == 0 ? f / step : -1);
+    const TriangleSurface& surface = s_.refined.surface;
+    std::vector<int> number(surface.points.size(), -1);
+    for (std::size_t f = 0; f < surface.triangles.size(); ++f) {
+      const int parent = s_.refined.parent_face[f];
+      if (parent % step != 0) continue;
+      parents_.push_back(parent / step);
+      std::array<int, 3> triangle = surface.triangles[f];
+      for (int& v : triangle) {
+        if (number[v] < 0) {
+          number[v] = static_cast<int>(vertices_.size());
+          vertices_.push_back(v);
+          sample_.points.push_back(surface.points[v]);
+        }
+        v = number[v];
+      }
+      sample_.triangles.push_back(triangle);
+    }
   }
 
-  // The triangles judged by, but for those beside the charges.
-  std::vector<int> faces_away_from(const std::vector<int>& vertices) const {
-    std::vector<int> faces = faces_;
-    const std::vector<Vec3>& points = s_.refined.surface.points;
-    for (std::size_t f = 0; f < faces.size(); ++f) {
-      if (faces[f] < 0) continue;
-      for (const int v : s_.refined.surface.triangles[f]) {
-        for (const int charge : vertices) {
-          if ((points[v] - points[charge]).norm() < left_out_) faces[f] = -1;
-        }
+  // Those of the triangles judged by, -1 beside the charges.
+  std::vector<int> parents_away_from(const std::vector<int>& charged) const {
+    std::vector<char> is_near(sample_.points.size());
+    for (const int v : charged) {
+      const Vec3& charge = s_.refined.surface.points[v];
+      for (std::size_t i = 0; i < is_near.size(); ++i) {
+        if ((sample_.points[i] - charge).norm() < left_out_) is_near[i] = 1;
       }
     }
-    return faces;
+    std::vector<int> parents = parents_;
+    for (std::size_t f = 0; f < parents.size(); ++f) {
+      const auto& [a, b, c] = sample_.triangles[f];
+      if (is_near[a] != 0 || is_near[b] != 0 || is_near[c] != 0) parents[f] = -1;
+    }
+    return parents;
   }
 
   // Starts of descents, as good as they are before them.
@@ -327,14 +354,15 @@ class Judge {
     return best;
   }
 
-  const FormProblem& problem_;
   const FormSolution& s_;
   double left_out_, vanishing_;
-  std::vector<int> faces_;       // #F of the refined surface: number among the judged ones, or -1
-  Eigen::VectorXd rho_;          // of the judged triangles
+  TriangleSurface sample_;       // the triangles judged by
+  std::vector<int> vertices_;    // of the refined surface, which those of the sample are
+  std::vector<int> parents_;     // of the sample's triangles, as numbered in rho_
+  Eigen::VectorXd rho_;          // of the input's triangles that are judged by
   std::vector<double> lengths_;  // of the loops, and of one around the blind region
-  Eigen::MatrixXd g_;
-  Eigen::VectorXd optimum_;  // potential of the optimum, if there are very many forms
+  Eigen::MatrixXd g_;            // potentials at the sample's vertices
+  Eigen::VectorXd optimum_;      // potential of the optimum, if there are very many forms
 };
 
 std::vector<std::vector<int>> one_by_one(const std::vector<int>& vertices) {

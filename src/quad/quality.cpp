@@ -8,6 +8,8 @@
 
 #include <Eigen/Geometry>
 
+#include "surface/lanes.h"
+
 namespace hexwall {
 namespace {
 
@@ -52,15 +54,10 @@ Vec3 doubled_area_vector(const std::array<Vec3, 4>& p) {
 }
 
 double scaled_jacobian(const std::array<Vec3, 4>& p) {
-  const Vec3 normal = doubled_area_vector(p).normalized();
-  double least = 1.0;
-  for (int k = 0; k < 4; ++k) {
-    const Vec3 u = p[(k + 1) % 4] - p[k];
-    const Vec3 v = p[(k + 3) % 4] - p[k];
-    const double scale = u.norm() * v.norm();
-    least = std::min(least, scale > 0.0 ? u.cross(v).dot(normal) / scale : 0.0);
-  }
-  return least;
+  const VectorLanes corner(p);
+  const VectorLanes edge = normalized(next(corner) - corner);
+  const VectorLanes normal(Vec3(doubled_area_vector(p).normalized()));
+  return std::min(1.0, dot(cross(previous(edge), edge), normal).minCoeff());
 }
 
 std::array<Vec3, 4> corners_of(const std::vector<Vec3>& points, const std::array<int, 4>& quad) {

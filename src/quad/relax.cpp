@@ -21,17 +21,15 @@ using Corners = std::array<Vec3, 4>;
 // right on edges of no length, but cells on them are slivers.
 constexpr double least_edge = 0.05;
 
-// How hard each rectangle is pulled to its target size, 0 … 1.
-constexpr double size_weight = 0.5;
-
-// The rectangle nearest to a quad in turn and position, its sides pulled towards the target size.
+// The rectangle nearest to a quad in turn and position, its sides half way, as ratios go, from
+// their lengths to the target size.
 Corners fitted_rectangle(const Corners& p, const QuadSize& size) {
   const Vec3 center = 0.25 * (p[0] + p[1] + p[2] + p[3]);
   const Vec3 along_x = 0.5 * (p[1] - p[0] + p[2] - p[3]);
   const Vec3 along_y = 0.5 * (p[3] - p[0] + p[2] - p[1]);
   const Vec3 normal = along_x.cross(along_y).normalized();
   const auto pulled = [](double length, double target) {
-    return length > 0.0 ? length * std::pow(target / length, size_weight) : target;
+    return length > 0.0 ? std::sqrt(target * length) : target;
   };
   const double width = pulled(along_x.norm(), size.along_x);
   const double height = pulled(along_y.norm(), size.along_y);

@@ -224,10 +224,12 @@ void check_vertices(const TriangleSurface& surface, Problems& problems) {
        bad.all()});
 }
 
-/// A Möbius band is reported before touching parts are.
-void check_orientable(const TriangleSurface& surface, Problems& problems) {
+/// A Möbius band is reported before touching parts are. \param consistent the surface if it is
+/// none.
+void check_orientable(const TriangleSurface& surface, OrientResult& consistent,
+                      Problems& problems) {
   try {
-    make_consistent(surface);
+    consistent = make_consistent(surface);
   } catch (const NotOrientable& error) {
     problems.push_back({"not_orientable", error.code(), error.what(), {error.place()}});
   }
@@ -330,10 +332,10 @@ Problems run_checks(const TriangleSurface& surface, bool only_first, bool is_fre
   checks.group([&](Problems& p) { check_triangles(surface, p); },
                [&](Problems& p) { check_connected(surface, p); },
                [&](Problems& p) { check_edges(surface, p); },
-               [&](Problems& p) { check_orientable(surface, p); },
+               [&](Problems& p) { check_orientable(surface, oriented, p); },
                [&](Problems& p) { check_vertices(surface, p); });
   if (!checks.problems().empty()) return checks.problems();
-  oriented = orient(surface);
+  oriented = orient(std::move(oriented));
   const Connectivity mesh(static_cast<int>(surface.points.size()), oriented.surface.triangles);
   checks.group([&](Problems& p) { check_loops(mesh, surface, p); },
                [&](Problems& p) { check_genus(mesh, oriented.surface, p); },

@@ -10,14 +10,20 @@
 
 namespace hexwall {
 
+LineReader::LineReader(std::string_view text, LineSyntax syntax)
+    : rest_(text), comment_(syntax.comment) {
+  for (const unsigned char c : syntax.blanks) is_blank_[c] = true;
+}
+
 bool LineReader::next(Tokens& tokens) {
   do {
     if (rest_.empty()) return false;
-    const std::size_t end = std::min(rest_.find_first_of("\n\r"), rest_.size());
+    const std::size_t feed = std::min(rest_.find('\n'), rest_.size());
+    const std::size_t end = std::min(rest_.substr(0, feed).find('\r'), feed);
     const bool is_crlf = rest_.substr(end).starts_with("\r\n");
     line_text_ = rest_.substr(0, end);
     const std::size_t comment =
-        syntax_.comment.empty() ? std::string_view::npos : line_text_.find(syntax_.comment);
+        comment_.empty() ? std::string_view::npos : line_text_.find(comment_);
     split(line_text_.substr(0, comment), tokens);
     rest_.remove_prefix(std::min(end + (is_crlf ? 2 : 1), rest_.size()));
     ++line_;
@@ -46,11 +52,12 @@ template std::uint32_t LineReader::parse(std::string_view) const;
 template std::int64_t LineReader::parse(std::string_view) const;
 
 void LineReader::split(std::string_view line, Tokens& tokens) const {
+  const auto is_blank = [this](unsigned char c) { return is_blank_[c]; };
   tokens.clear();
-  for (std::size_t at = line.find_first_not_of(syntax_.blanks); at != std::string_view::npos;) {
-    const std::size_t end = std::min(line.find_first_of(syntax_.blanks, at), line.size());
-    tokens.push_back(line.substr(at, end - at));
-    at = line.find_first_not_of(syntax_.blanks, end);
+  for (auto at = line.begin(); at != line.end();) {
+    const auto first = std::find_if_not(at, line.end(), is_blank);
+    at = std::find_if(first, line.end(), is_blank);
+    if (first != at) tokens.emplace_back(first, at);
   }
 }
 

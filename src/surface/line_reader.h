@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,8 +18,7 @@ class LineReader {
  public:
   using Tokens = std::vector<std::string_view>;
 
-  explicit LineReader(std::string_view text, LineSyntax syntax = {})
-      : rest_(text), syntax_(syntax) {}
+  explicit LineReader(std::string_view text, LineSyntax syntax = {});
 
   /// The next line with something on it but a comment; false at the end of the text.
   bool next(Tokens& tokens);
@@ -37,7 +37,8 @@ class LineReader {
   void split(std::string_view line, Tokens& tokens) const;
 
   std::string_view rest_;
-  LineSyntax syntax_;
+  std::string_view comment_;
+  std::array<bool, 256> is_blank_{};
   std::string_view line_text_;
   int line_ = 0;
 };

@@ -39,6 +39,8 @@ constexpr std::size_t least_rim_edges = 8;
 // folds less even where 10 vertices go around it.
 constexpr double sharp_fold = 42.0 * degree;
 constexpr double least_sharp_share = 0.8;
+// A sharp fold against the plane of the whole cap is at least this much against one triangle of it.
+const double least_fold = std::tan(25.0 * degree);
 
 Vec3 apex(const TriangleSurface& surface, const Disk::Side& side) {
   const auto& t = surface.triangles[side.triangle];
@@ -136,12 +138,12 @@ std::vector<Region> regions_of_equal_value(const TriangleSurface& surface,
                                            const std::vector<FaceNeighbours>& neighbours,
                                            const SurfaceArray& array) {
   std::vector<Region> regions;
+  RegionGrower grower(neighbours);
   std::vector<char> done(surface.triangles.size(), 0);
   for (int f = 0; f < static_cast<int>(done.size()); ++f) {
     if (done[f] != 0) continue;
     const double value = array.values[f];
-    Region region{value, 0.0,
-                  grow_region(f, neighbours, [&](int g) { return array.values[g] == value; })};
+    Region region{value, 0.0, grower.grow(f, [&](int g) { return array.values[g] == value; })};
     for (const int g : region.triangles) {
       done[g] = 1;
       region.area += 0.5 * doubled_area_vector(surface, g).norm();
@@ -219,6 +221,26 @@ bool is_parallel(const TriangleSurface& surface, int f, const Vec3& normal) {
   return off <= greatest_tilt * std::abs(area.dot(normal)) + needle_height * longest;
 }
 
+// Whether half of the region's rim is folded at all, so that it may be a cap: the facets of a wall,
+// of which there are many, are told from it quickly.
+bool has_folds(const TriangleSurface& surface, const std::vector<FaceNeighbours>& neighbours,
+               const std::vector<int>& region, const RegionGrower& grower, const Vec3& normal) {
+  double balance = 0.0;  // length that is folded, minus that which is not
+  for (const int f : region) {
+    for (int k = 0; k < 3; ++k) {
+      const int g = neighbours[f][k];
+      if (g < 0) return false;  // not a disk within the surface
+      if (grower.contains(g)) continue;
+      const auto& t = surface.triangles[f];
+      const double length = (surface.points[t[(k + 1) % 3]] - surface.points[t[k]]).norm();
+      const Vec3 area = doubled_area_vector(surface, g);
+      const bool is_folded = area.cross(normal).norm() > least_fold * std::abs(area.dot(normal));
+      balance += is_folded ? length : -length;
+    }
+  }
+  return balance > 0.0;
+}
+
 // Largest first, so that regions start from triangles whose normal can be trusted.
 std::vector<int> seeds_by_area(const TriangleSurface& surface) {
   std::vector<double> area;
@@ -239,6 +261,7 @@ std::vector<int> seeds_by_area(const TriangleSurface& surface) {
 std::vector<Cap> labelled_caps(const TriangleSurface& surface,
                                const std::vector<SurfaceArray>& cell_arrays,
                                const std::optional<std::string>& cap_array) {
+  if (cell_arrays.empty() && !cap_array) return {};
   const auto neighbours = face_neighbours(surface.triangles);
   if (cap_array) return caps_of_named_array(surface, neighbours, cell_arrays, *cap_array);
   constexpr std::array<std::pair<const char*, Rule>, 3> known{
@@ -255,15 +278,17 @@ std::vector<Cap> labelled_caps(const TriangleSurface& surface,
 
 std::vector<Cap> flat_caps(const TriangleSurface& surface) {
   const auto neighbours = face_neighbours(surface.triangles);
+  RegionGrower grower(neighbours);
   std::vector<char> tried(surface.triangles.size(), 0);
   std::vector<Disk> disks;
   for (const int seed : seeds_by_area(surface)) {
     if (tried[seed] != 0) continue;
     const Vec3 normal = doubled_area_vector(surface, seed).normalized();
     std::vector<int> region =
-        grow_region(seed, neighbours, [&](int f) { return is_parallel(surface, f, normal); });
+        grower.grow(seed, [&](int f) { return is_parallel(surface, f, normal); });
     for (const int f : region) tried[f] = 1;
     if (region.size() + 2 < least_rim_edges) continue;  // a disk has no more rim edges
+    if (!has_folds(surface, neighbours, region, grower, normal)) continue;
     auto disk = as_disk(surface, neighbours, std::move(region));
     if (disk && is_cap(*disk, shape_of(surface, *disk))) disks.push_back(std::move(*disk));
   }

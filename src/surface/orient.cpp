@@ -1,5 +1,6 @@
 #include "surface/orient.h"
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <utility>
@@ -23,7 +24,17 @@ struct Neighbour {
   bool must_turn;  ///< both triangles traverse their common edge in the same direction
 };
 
-using Adjacency = std::vector<std::vector<Neighbour>>;
+/// Of a triangle, over its edges with two triangles.
+struct Neighbours {
+  std::array<Neighbour, 3> all{};
+  int count = 0;
+
+  void add(const Neighbour& neighbour) { all[count++] = neighbour; }
+  auto begin() const { return all.begin(); }
+  auto end() const { return all.begin() + count; }
+};
+
+using Adjacency = std::vector<Neighbours>;
 
 Adjacency adjacency_of(const TriangleSurface& surface) {
   Adjacency adjacency(surface.triangles.size());
@@ -32,8 +43,8 @@ Adjacency adjacency_of(const TriangleSurface& surface) {
     const EdgeUse& g = first[0];
     const EdgeUse& h = first[1];
     const bool must_turn = g.is_forward == h.is_forward;
-    adjacency[g.face].push_back({h.face, must_turn});
-    adjacency[h.face].push_back({g.face, must_turn});
+    adjacency[g.face].add({h.face, must_turn});
+    adjacency[h.face].add({g.face, must_turn});
   });
   return adjacency;
 }
@@ -115,12 +126,16 @@ double signed_volume(const TriangleSurface& surface) {
 }
 
 OrientResult orient(const TriangleSurface& surface) {
-  OrientResult result = make_consistent(surface);
+  return orient(make_consistent(surface));
+}
+
+OrientResult orient(OrientResult consistent) {
+  TriangleSurface& surface = consistent.surface;
   const double scale = std::pow(total_area(surface), 1.5);
-  if (signed_volume(result.surface) >= -flat_volume * scale) return result;
-  for (auto& t : result.surface.triangles) std::swap(t[1], t[2]);
-  result.flipped = static_cast<int>(surface.triangles.size()) - result.flipped;
-  return result;
+  if (signed_volume(surface) >= -flat_volume * scale) return consistent;
+  for (auto& t : surface.triangles) std::swap(t[1], t[2]);
+  consistent.flipped = static_cast<int>(surface.triangles.size()) - consistent.flipped;
+  return consistent;
 }
 
 }  // namespace hexwall

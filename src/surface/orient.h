@@ -41,4 +41,7 @@ double signed_volume(const TriangleSurface& surface);
 /// \throws TopologyError if the surface is not orientable or not manifold at a vertex.
 OrientResult orient(const TriangleSurface& surface);
 
+/// The same of a surface that `make_consistent` gave.
+OrientResult orient(OrientResult consistent);
+
 }  // namespace hexwall

@@ -8,6 +8,9 @@
 namespace hexwall {
 namespace {
 
+// Of the weights' sum.
+constexpr double inside_margin = 1e-9;
+
 Vec3 nearest_point_of_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
   const Vec3 direction = b - a;
   const double squared = direction.squaredNorm();
@@ -15,22 +18,33 @@ Vec3 nearest_point_of_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
   return a + std::clamp((p - a).dot(direction) / squared, 0.0, 1.0) * direction;
 }
 
-}  // namespace
+/// The point of a triangle that is nearest to another one.
+struct FootPoint {
+  Vec3 position;
+  bool is_inside;  ///< clear of the edges, where a neighbour may be nearer
+};
 
-Vec3 nearest_point_of_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
+FootPoint foot_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 normal = (b - a).cross(c - a);
-  const double squared = normal.squaredNorm();
   const double wa = (c - b).cross(p - b).dot(normal);
   const double wb = (a - c).cross(p - c).dot(normal);
   const double wc = (b - a).cross(p - a).dot(normal);
-  if (wa >= 0.0 && wb >= 0.0 && wc >= 0.0 && squared > 0.0) {
-    return (wa * a + wb * b + wc * c) / (wa + wb + wc);
+  const double sum = wa + wb + wc;
+  const double least = std::min({wa, wb, wc});
+  if (least >= 0.0 && sum > 0.0) {
+    return {(wa * a + wb * b + wc * c) / sum, least > inside_margin * sum};
   }
   Vec3 best = nearest_point_of_segment(p, a, b);
   for (const Vec3& q : {nearest_point_of_segment(p, b, c), nearest_point_of_segment(p, c, a)}) {
     if ((q - p).squaredNorm() < (best - p).squaredNorm()) best = q;
   }
-  return best;
+  return {best, false};
+}
+
+}  // namespace
+
+Vec3 nearest_point_of_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
+  return foot_on_triangle(p, a, b, c).position;
 }
 
 Vec3 barycentric_coordinates(const TriangleSurface& surface, const SurfacePoint& point) {
@@ -84,30 +98,25 @@ SurfaceProjector::SurfaceProjector(const TriangleSurface& surface, const Connect
 }
 
 SurfacePoint SurfaceProjector::project(const Vec3& p, int start_face) const {
-  SurfacePoint best = nearest_on_face(p, start_face);
+  const auto foot = [&](int f) {
+    const auto& [a, b, c] = surface_.triangles[f];
+    return foot_on_triangle(p, surface_.points[a], surface_.points[b], surface_.points[c]);
+  };
+  int face = start_face;
+  FootPoint best = foot(face);
   // A foot point inside a triangle is a local minimum of the distance already.
-  while (!is_inside(best)) {
-    const int center = best.face;
+  for (int center = -1; !best.is_inside && face != center;) {
+    center = face;
     for (const int v : surface_.triangles[center]) {
       for (int i = first_[v]; i < first_[v + 1]; ++i) {
-        const SurfacePoint q = nearest_on_face(p, faces_[i]);
-        if ((q.position - p).squaredNorm() < (best.position - p).squaredNorm()) best = q;
+        const FootPoint other = foot(faces_[i]);
+        if ((other.position - p).squaredNorm() >= (best.position - p).squaredNorm()) continue;
+        best = other;
+        face = faces_[i];
       }
     }
-    if (best.face == center) break;
   }
-  return best;
-}
-
-SurfacePoint SurfaceProjector::nearest_on_face(const Vec3& p, int f) const {
-  const auto& [a, b, c] = surface_.triangles[f];
-  return {f,
-          nearest_point_of_triangle(p, surface_.points[a], surface_.points[b], surface_.points[c])};
-}
-
-bool SurfaceProjector::is_inside(const SurfacePoint& point) const {
-  const Vec3 w = barycentric_coordinates(surface_, point);
-  return w.minCoeff() > 1e-9;  // clear of the edges, where a neighbour may be nearer
+  return {face, best.position};
 }
 
 LoopCurve::LoopCurve(std::vector<Vec3> points) : points_(std::move(points)) {}

@@ -38,9 +38,6 @@ class SurfaceProjector {
   const TriangleSurface& surface() const { return surface_; }
 
  private:
-  SurfacePoint nearest_on_face(const Vec3& p, int f) const;
-  bool is_inside(const SurfacePoint& point) const;
-
   const TriangleSurface& surface_;
   std::vector<int> first_;  // #V + 1: triangles of vertex v are faces_[first_[v]..first_[v + 1]]
   std::vector<int> faces_;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <map>
-#include <unordered_set>
 
 #include "surface/edge_uses.h"
 
@@ -31,21 +30,6 @@ std::vector<FaceNeighbours> face_neighbours(const std::vector<std::array<int, 3>
     }
   });
   return result;
-}
-
-std::vector<int> grow_region(int seed, const std::vector<FaceNeighbours>& neighbours,
-                             const std::function<bool(int)>& joins) {
-  std::vector<int> region{seed};
-  std::unordered_set<int> seen{seed};
-  for (std::size_t i = 0; i < region.size(); ++i) {
-    for (const int g : neighbours[region[i]]) {
-      if (g >= 0 && !seen.contains(g) && joins(g)) {
-        seen.insert(g);
-        region.push_back(g);
-      }
-    }
-  }
-  return region;
 }
 
 std::optional<std::vector<int>> single_cycle(const std::vector<std::array<int, 2>>& edges) {

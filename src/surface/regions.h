@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -19,9 +18,37 @@ inline constexpr int many_neighbours = -2;  ///< an edge with more than two tria
 /// #F.
 std::vector<FaceNeighbours> face_neighbours(const std::vector<std::array<int, 3>>& triangles);
 
-/// Triangles reached from `seed` over sides whose far triangle `joins`. Starts with `seed`.
-std::vector<int> grow_region(int seed, const std::vector<FaceNeighbours>& neighbours,
-                             const std::function<bool(int)>& joins);
+/// Grows regions of triangles over their sides, one after the other.
+class RegionGrower {
+ public:
+  /// \param neighbours #F, to be kept by the caller.
+  explicit RegionGrower(const std::vector<FaceNeighbours>& neighbours)
+      : neighbours_(neighbours), region_of_(neighbours.size(), -1) {}
+
+  /// Triangles reached from `seed` over sides whose far triangle `joins`. Starts with `seed`.
+  template <class Joins>
+  std::vector<int> grow(int seed, const Joins& joins) {
+    ++last_;
+    std::vector<int> region{seed};
+    region_of_[seed] = last_;
+    for (std::size_t i = 0; i < region.size(); ++i) {
+      for (const int g : neighbours_[region[i]]) {
+        if (g < 0 || region_of_[g] == last_ || !joins(g)) continue;
+        region_of_[g] = last_;
+        region.push_back(g);
+      }
+    }
+    return region;
+  }
+
+  /// Whether the triangle belongs to the last region.
+  bool contains(int f) const { return region_of_[f] == last_; }
+
+ private:
+  const std::vector<FaceNeighbours>& neighbours_;
+  std::vector<int> region_of_;  // #F number of the last region that took it
+  int last_ = -1;
+};
 
 /// The one simple cycle that edges form, from its lowest vertex; nothing if they form another
 /// graph.
