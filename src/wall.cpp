@@ -193,7 +193,11 @@ bool is_better(const WallFit& a, const WallFit& b) {
 class WallFitter {
  public:
   WallFitter(const PipelineResult& r, const SurfaceProjector& projector, ColumnQualities& columns)
-      : r_(r), projector_(projector), columns_(columns) {}
+      : r_(r), projector_(projector), columns_(columns) {
+    const bool for_core = r.options.leaves_room_for_core;
+    if (r.options.outward) outward_.emplace(r.quads, r.layers, Side::outward, for_core);
+    if (r.options.inward) inward_.emplace(r.quads, r.layers, Side::inward, for_core);
+  }
 
   /// \param start the wall as asked for.
   WallFit run(WallFit start) { return raise_worst(win_face_tets(first_fit(std::move(start)))); }
@@ -206,8 +210,8 @@ class WallFitter {
   // Thickness that fits on each side, up to the share of what is asked that an earlier fit gave.
   void fit_sides(WallFit& fit) {
     fit.shape = shape_of(r_, fit.places);
-    if (r_.options.outward) fit_side(fit, Side::outward, fit.shape.outward, fit.outward);
-    if (r_.options.inward) fit_side(fit, Side::inward, fit.shape.inward, fit.inward);
+    if (outward_) fit_side(fit, *outward_, fit.shape.outward, fit.outward);
+    if (inward_) fit_side(fit, *inward_, fit.shape.inward, fit.inward);
     const std::span<const ColumnQuality> columns = columns_of(fit);
     fit.columns_without_face_tets =
         static_cast<int>(std::count_if(columns.begin(), columns.end(), [](const ColumnQuality& c) {
@@ -216,8 +220,8 @@ class WallFitter {
     fit.min_scaled_jacobian = least_scaled_jacobian(columns);
   }
 
-  void fit_side(const WallFit& fit, Side side, std::vector<double>& thickness,
-                std::optional<ThicknessResult>& result) const {
+  static void fit_side(const WallFit& fit, ThicknessFitter& fitter, std::vector<double>& thickness,
+                       std::optional<ThicknessResult>& result) {
     std::vector<double> shares;
     int colliding_quads = 0;
     if (result) {
@@ -226,8 +230,7 @@ class WallFitter {
       }
       colliding_quads = result->colliding_quads;
     }
-    result = fit_thickness(fit.quads, fit.directions, fit.shape, side,
-                           r_.options.leaves_room_for_core, shares);
+    result = fitter.fit(fit.quads, fit.directions, fit.shape, shares);
     result->colliding_quads = std::max(result->colliding_quads, colliding_quads);
     thickness = result->given;
   }
@@ -305,6 +308,7 @@ class WallFitter {
   const PipelineResult& r_;
   const SurfaceProjector& projector_;
   ColumnQualities& columns_;
+  std::optional<ThicknessFitter> outward_, inward_;
 };
 
 // Quads, places and thickness of the wall become those of the fit.

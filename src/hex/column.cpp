@@ -65,6 +65,23 @@ double best_split_height(const VectorLanes& face, const Vec3* below, const Vec3*
 
 }  // namespace
 
+std::vector<ColumnEdge> column_edges(const QuadMesh& quads, const std::vector<Vec3>& directions,
+                                     const WallShape& shape) {
+  std::vector<ColumnEdge> edges(quads.points.size());
+  for (std::size_t v = 0; v < edges.size(); ++v) {
+    edges[v] = {quads.points[v], directions[v], shape.outward.empty() ? 0.0 : shape.outward[v],
+                shape.inward.empty() ? 0.0 : shape.inward[v]};
+  }
+  return edges;
+}
+
+std::vector<char> changes(const std::vector<ColumnEdge>& last,
+                          const std::vector<ColumnEdge>& edges) {
+  std::vector<char> changed(edges.size(), 1);
+  for (std::size_t v = 0; v < last.size(); ++v) changed[v] = edges[v] == last[v] ? 0 : 1;
+  return changed;
+}
+
 Column column_of(const QuadMesh& quads, int quad, const std::vector<Vec3>& directions,
                  const WallShape& shape) {
   Column column;

@@ -23,6 +23,31 @@ struct Column {
   std::array<double, 4> inward;   ///< thickness
 };
 
+/// A point of the edge of a column at a level.
+inline Vec3 point_at(const Vec3& base, const Vec3& direction, double outward, double inward,
+                     double level) {
+  return base + level * (level < 0.0 ? inward : outward) * direction;
+}
+
+/// The edge of the columns at a vertex.
+struct ColumnEdge {
+  Vec3 base;
+  Vec3 direction;
+  double outward = 0.0;  ///< thickness
+  double inward = 0.0;   ///< thickness
+  bool operator==(const ColumnEdge&) const = default;
+
+  Vec3 at(double level) const { return point_at(base, direction, outward, inward, level); }
+};
+
+/// #V. \param directions #V.
+std::vector<ColumnEdge> column_edges(const QuadMesh& quads, const std::vector<Vec3>& directions,
+                                     const WallShape& shape);
+
+/// #V 1 where an edge is not what it was; everywhere if `last` is empty.
+std::vector<char> changes(const std::vector<ColumnEdge>& last,
+                          const std::vector<ColumnEdge>& edges);
+
 /// The column of a quad. \param directions #V.
 Column column_of(const QuadMesh& quads, int quad, const std::vector<Vec3>& directions,
                  const WallShape& shape);
@@ -65,11 +90,5 @@ double skew(const Column& column);
 /// Least triple product of the unit edges and the direction at the corners of the base: the scaled
 /// Jacobian in the limit of no thickness.
 double flat_quality(const Column& column);
-
-/// A point of the column's edge at a corner, at a level.
-inline Vec3 point_at(const Vec3& base, const Vec3& direction, double outward, double inward,
-                     double level) {
-  return base + level * (level < 0.0 ? inward : outward) * direction;
-}
 
 }  // namespace hexwall

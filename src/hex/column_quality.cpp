@@ -1,6 +1,7 @@
 #include "hex/column_quality.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/parallel.h"
 
@@ -18,16 +19,10 @@ constexpr double most_badly_split = 0.02;
 std::span<const ColumnQuality> ColumnQualities::of(const QuadMesh& quads,
                                                    const std::vector<Vec3>& directions,
                                                    const WallShape& shape) {
-  const bool is_first = edges_.empty();
-  edges_.resize(quads.points.size());
+  std::vector<ColumnEdge> edges = column_edges(quads, directions, shape);
+  const std::vector<char> changed = changes(edges_, edges);
+  edges_ = std::move(edges);
   qualities_.resize(quads.quads.size());
-  std::vector<char> changed(edges_.size(), 1);
-  parallel_for(edges_.size(), [&](std::size_t v) {
-    const Edge edge{quads.points[v], directions[v], shape.outward.empty() ? 0.0 : shape.outward[v],
-                    shape.inward.empty() ? 0.0 : shape.inward[v]};
-    if (!is_first && edge == edges_[v]) changed[v] = 0;
-    edges_[v] = edge;
-  });
   parallel_for(qualities_.size(), [&](std::size_t q) {
     const auto& quad = quads.quads[q];
     if (std::none_of(quad.begin(), quad.end(), [&](int v) { return changed[v] != 0; })) return;

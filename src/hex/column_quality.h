@@ -25,14 +25,7 @@ class ColumnQualities {
                                     const WallShape& shape);
 
  private:
-  // The edge of columns at a vertex.
-  struct Edge {
-    Vec3 base, direction;
-    double outward, inward;
-    bool operator==(const Edge&) const = default;
-  };
-
-  std::vector<Edge> edges_;  // #V at the last call
+  std::vector<ColumnEdge> edges_;  // #V at the last call
   std::vector<ColumnQuality> qualities_;
 };
 

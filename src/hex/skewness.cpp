@@ -15,20 +15,10 @@ double of_face(const Face& face, const Vec3& owner, const Vec3& neighbour) {
   return skewness_between(face, face_geometry(face), owner, neighbour);
 }
 
-// Whether the thickness of a wall at a vertex is not what it was.
-bool has_changed(const WallShape& shape, const WallShape& last, int v) {
-  const auto differs = [v](const std::vector<double>& a, const std::vector<double>& b) {
-    return a.size() != b.size() || (!a.empty() && a[v] != b[v]);
-  };
-  return differs(shape.outward, last.outward) || differs(shape.inward, last.inward);
-}
-
 }  // namespace
 
-Skewness::Skewness(const QuadMesh& quads, const std::vector<Vec3>& directions,
-                   std::vector<double> levels)
-    : quads_(quads),
-      directions_(directions),
+Skewness::Skewness(const QuadMesh& quads, std::vector<double> levels)
+    : quads_(quads.quads),
       levels_(std::move(levels)),
       layers_(std::ssize(levels_) - 1),
       edges_(edges_with_quads(quads)),
@@ -36,18 +26,12 @@ Skewness::Skewness(const QuadMesh& quads, const std::vector<Vec3>& directions,
       of_column_(quads.quads.size()),
       above_edge_(edges_.size()) {}
 
-Vec3 Skewness::point(int v, int level) const {
-  return point_at(quads_.points[v], directions_[v],
-                  shape_.outward.empty() ? 0.0 : shape_.outward[v],
-                  shape_.inward.empty() ? 0.0 : shape_.inward[v], levels_[level]);
-}
-
 void Skewness::find_centers(int q) {
   for (int layer = 0; layer < layers_; ++layer) {
     std::array<Vec3, 8> hex;
     for (int k = 0; k < 4; ++k) {
-      hex[k] = point(quads_.quads[q][k], layer);
-      hex[k + 4] = point(quads_.quads[q][k], layer + 1);
+      hex[k] = point(quads_[q][k], layer);
+      hex[k + 4] = point(quads_[q][k], layer + 1);
     }
     centers_[q * layers_ + layer] = cell_center(hex);
   }
@@ -57,7 +41,7 @@ double Skewness::of_column(int q) const {
   double worst = 0.0;
   for (int level = 0; level <= layers_; ++level) {
     Face face;
-    for (int k = 0; k < 4; ++k) face[k] = point(quads_.quads[q][k], level);
+    for (int k = 0; k < 4; ++k) face[k] = point(quads_[q][k], level);
     if (level == 0 || level == layers_) {
       worst = std::max(worst, skewness_at_boundary(face, face_geometry(face),
                                                    center(q, level == 0 ? 0 : level - 1)));
@@ -81,15 +65,14 @@ double Skewness::above_edge(const QuadEdge& edge) const {
   return worst;
 }
 
-std::vector<int> Skewness::quads_above(double limit, const WallShape& shape) {
-  const WallShape last = std::exchange(shape_, shape);
-  std::vector<char> changed(quads_.quads.size());
+std::vector<int> Skewness::quads_above(double limit, const std::vector<ColumnEdge>& columns) {
+  const std::vector<char> at_vertex = changes(columns_, columns);
+  columns_ = columns;
+  std::vector<char> changed(quads_.size());
   parallel_for(changed.size(), [&](std::size_t q) {
-    const auto& quad = quads_.quads[q];
+    const auto& quad = quads_[q];
     changed[q] =
-        std::any_of(quad.begin(), quad.end(), [&](int v) { return has_changed(shape, last, v); })
-            ? 1
-            : 0;
+        std::any_of(quad.begin(), quad.end(), [&](int v) { return at_vertex[v] != 0; }) ? 1 : 0;
     if (changed[q] == 0) return;
     find_centers(static_cast<int>(q));
     of_column_[q] = of_column(static_cast<int>(q));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "hex/column.h"
@@ -14,28 +15,27 @@ namespace hexwall {
 class Skewness {
  public:
   /// \param levels of one side, see `LayerPlan`.
-  Skewness(const QuadMesh& quads, const std::vector<Vec3>& directions, std::vector<double> levels);
+  Skewness(const QuadMesh& quads, std::vector<double> levels);
 
   /// Quads whose column has a face above `limit`. Sorted. What has not changed since the last call
-  /// is not computed again. \pre the quads and directions are as at the first call.
-  std::vector<int> quads_above(double limit, const WallShape& shape);
+  /// is not computed again. \param columns #V
+  std::vector<int> quads_above(double limit, const std::vector<ColumnEdge>& columns);
 
  private:
-  Vec3 point(int v, int level) const;
+  Vec3 point(int v, int level) const { return columns_[v].at(levels_[level]); }
   const Vec3& center(int q, int layer) const { return centers_[q * layers_ + layer]; }
   void find_centers(int q);
   double of_column(int q) const;
   double above_edge(const QuadEdge& edge) const;
 
-  const QuadMesh& quads_;
-  const std::vector<Vec3>& directions_;
+  std::vector<std::array<int, 4>> quads_;
   std::vector<double> levels_;
   std::ptrdiff_t layers_;
   std::vector<QuadEdge> edges_;
-  WallShape shape_;                 // of the last call
-  std::vector<Vec3> centers_;       // of the cells, column by column
-  std::vector<double> of_column_;   // #Q greatest skewness between its layers and of its skins
-  std::vector<double> above_edge_;  // #E the same of the faces above an edge
+  std::vector<ColumnEdge> columns_;  // #V at the last call
+  std::vector<Vec3> centers_;        // of the cells, column by column
+  std::vector<double> of_column_;    // #Q greatest skewness between its layers and of its skins
+  std::vector<double> above_edge_;   // #E the same of the faces above an edge
 };
 
 }  // namespace hexwall

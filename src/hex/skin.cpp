@@ -18,8 +18,7 @@ constexpr double surely_convex = 1e-3;
 
 }  // namespace
 
-Skin::Skin(const QuadMesh& quads, const std::vector<Vec3>& directions, Side side)
-    : quads_(quads), directions_(directions), sign_(side == Side::outward ? 1.0 : -1.0) {
+Skin::Skin(const QuadMesh& quads, Side side) : level_(side == Side::outward ? 1.0 : -1.0) {
   const auto base = static_cast<int>(quads.points.size());
   for (int q = 0; q < static_cast<int>(quads.quads.size()); ++q) {
     const auto& [a, b, c, d] = quads.quads[q];
@@ -32,13 +31,11 @@ Skin::Skin(const QuadMesh& quads, const std::vector<Vec3>& directions, Side side
   }
 }
 
-std::vector<Vec3> Skin::points(const std::vector<double>& thickness) const {
+std::vector<Vec3> Skin::points(const std::vector<ColumnEdge>& columns, double clearance) const {
   std::vector<Vec3> points;
-  points.reserve(2 * quads_.points.size());
-  for (std::size_t v = 0; v < quads_.points.size(); ++v) {
-    points.push_back(quads_.points[v] + sign_ * thickness[v] * directions_[v]);
-  }
-  points.insert(points.end(), quads_.points.begin(), quads_.points.end());
+  points.reserve(2 * columns.size());
+  for (const ColumnEdge& edge : columns) points.push_back(edge.at(clearance * level_));
+  for (const ColumnEdge& edge : columns) points.push_back(edge.base);
   return points;
 }
 
@@ -100,10 +97,10 @@ std::vector<int> Skin::collisions_of(const std::vector<Vec3>& points,
   return {};
 }
 
-std::vector<int> Skin::collisions(const std::vector<double>& thickness) {
+std::vector<int> Skin::collisions(const std::vector<ColumnEdge>& columns, double clearance) {
   std::vector<int> all(faces_.size());
   std::iota(all.begin(), all.end(), 0);
-  std::vector<Vec3> at = points(thickness);
+  std::vector<Vec3> at = points(columns, clearance);
   std::vector<int> doubtful = in_doubt(at, all, active_faces(at));
   std::vector<int> quads = collisions_of(at, doubtful);
   last_points_ = std::move(at);
@@ -113,13 +110,13 @@ std::vector<int> Skin::collisions(const std::vector<double>& thickness) {
   return quads;
 }
 
-std::vector<int> Skin::collisions(const std::vector<double>& thickness,
+std::vector<int> Skin::collisions(const std::vector<ColumnEdge>& columns, double clearance,
                                   const std::vector<int>& among) const {
   std::vector<int> faces;
   for (int i = 0; i < static_cast<int>(faces_.size()); ++i) {
     if (std::binary_search(among.begin(), among.end(), faces_[i].quad)) faces.push_back(i);
   }
-  const std::vector<Vec3> at = points(thickness);
+  const std::vector<Vec3> at = points(columns, clearance);
   return collisions_of(at, in_doubt(at, faces, {}));
 }
 

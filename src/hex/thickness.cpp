@@ -45,22 +45,35 @@ constexpr double least_narrowing = 0.35;
 constexpr double greatest_widening = 3.0;
 constexpr double least_ratio_for_width = 0.1;
 
+}  // namespace
+
+/// What stays from one fit to the next.
+struct ThicknessFitter::Kept {
+  Side side;
+  bool for_core;  ///< on the inner side
+  std::vector<double> levels;
+  std::vector<std::array<int, 2>> edges;
+  Skin skin;
+  Skewness skewness;
+  std::vector<ColumnEdge> columns;  ///< #V when Jacobians were computed last
+  std::vector<double> jacobian;     ///< #Q scaled Jacobians
+};
+
+namespace {
+
 class Fitter {
  public:
+  using Kept = ThicknessFitter::Kept;
+
   Fitter(const QuadMesh& quads, const std::vector<Vec3>& directions, const WallShape& shape,
-         Side side, bool for_core)
+         Kept& kept)
       : quads_(quads),
         directions_(directions),
-        side_(side),
-        for_core_(for_core && side == Side::inward),
-        levels_(side == Side::outward ? shape.plan.outer_levels() : shape.plan.inner_levels()),
-        edges_(edges_of(quads)),
-        skin_(quads, directions, side),
-        skewness_(quads, directions, levels_),
+        kept_(kept),
         trial_(one_sided(shape)),
         bound_(quads.quads.size()) {
     result_.asked = given();
-    for (const auto& [a, b] : edges_) {
+    for (const auto& [a, b] : kept.edges) {
       const double length = (quads.points[a] - quads.points[b]).norm();
       const double wanted = std::abs(result_.asked[a] - result_.asked[b]);
       room_.push_back(std::max(greatest_slope * length, wanted));
@@ -82,11 +95,13 @@ class Fitter {
  private:
   WallShape one_sided(const WallShape& shape) const {
     WallShape trial = shape;
-    (side_ == Side::outward ? trial.inward : trial.outward).clear();
+    (kept_.side == Side::outward ? trial.inward : trial.outward).clear();
     return trial;
   }
 
-  std::vector<double>& given() { return side_ == Side::outward ? trial_.outward : trial_.inward; }
+  std::vector<double>& given() {
+    return kept_.side == Side::outward ? trial_.outward : trial_.inward;
+  }
 
   Column column(std::size_t q) const {
     return column_of(quads_, static_cast<int>(q), directions_, trial_);
@@ -116,8 +131,8 @@ class Fitter {
                       *greatest, at(greatest), across));
     }
     double thinnest = 1.0;  // layer, as a share of all
-    for (std::size_t i = 0; i + 1 < levels_.size(); ++i) {
-      thinnest = std::min(thinnest, levels_[i + 1] - levels_[i]);
+    for (std::size_t i = 0; i + 1 < kept_.levels.size(); ++i) {
+      thinnest = std::min(thinnest, kept_.levels[i + 1] - kept_.levels[i]);
     }
     if (thinnest * *least < least_share_of_coordinates * farthest) {
       throw MeshingError(fmt::format(
@@ -141,8 +156,9 @@ class Fitter {
         place_of(quads_.quads[worst - bound_.begin()][0])));
   }
 
-  bool is_narrowed_or_widened(std::size_t q, const Column& c) const {
-    if (!for_core_) return false;
+  bool is_narrowed_or_widened(std::size_t q) const {
+    if (!kept_.for_core) return false;
+    const Column c = column(q);
     for (int k = 0; k < 4; ++k) {
       const int j = (k + 1) % 4;
       if (c.inward[k] < least_ratio_for_width * result_.asked[quads_.quads[q][k]]) continue;
@@ -155,12 +171,26 @@ class Fitter {
     return false;
   }
 
+  // Scaled Jacobians of the columns as they are now.
+  void find_jacobians() {
+    std::vector<ColumnEdge> columns = column_edges(quads_, directions_, trial_);
+    const std::vector<char> changed = changes(kept_.columns, columns);
+    kept_.columns = std::move(columns);
+    kept_.jacobian.resize(quads_.quads.size());
+    parallel_for(kept_.jacobian.size(), [&](std::size_t q) {
+      const auto& quad = quads_.quads[q];
+      if (std::any_of(quad.begin(), quad.end(), [&](int v) { return changed[v] != 0; })) {
+        kept_.jacobian[q] = scaled_jacobian(column(q), kept_.levels);
+      }
+    });
+  }
+
   void shrink_bad_columns() {
     std::vector<char> bad(quads_.quads.size());
     for (;;) {
+      find_jacobians();
       parallel_for(bad.size(), [&](std::size_t q) {
-        const Column c = column(q);
-        bad[q] = scaled_jacobian(c, levels_) < bound_[q] || is_narrowed_or_widened(q, c) ? 1 : 0;
+        bad[q] = kept_.jacobian[q] < bound_[q] || is_narrowed_or_widened(q) ? 1 : 0;
       });
       std::vector<int> marked;
       for (std::size_t q = 0; q < bad.size(); ++q) {
@@ -174,7 +204,7 @@ class Fitter {
 
   // Skewed columns that a thinner wall may still mend.
   std::vector<int> skewed_columns() {
-    std::vector<int> skewed = skewness_.quads_above(greatest_skewness, trial_);
+    std::vector<int> skewed = kept_.skewness.quads_above(greatest_skewness, kept_.columns);
     skewed.erase(std::remove_if(skewed.begin(), skewed.end(),
                                 [&](int q) {
                                   const auto& quad = quads_.quads[q];
@@ -186,23 +216,19 @@ class Fitter {
     return skewed;
   }
 
-  std::vector<double> with_clearance() {
-    std::vector<double> thickness = given();
-    for (double& t : thickness) t *= for_core_ ? clearance_for_core : clearance;
-    return thickness;
-  }
-
   // Thins the wall until its skin nowhere meets itself: in the places found first, then over all.
   void separate() {
-    std::vector<int> colliding = skin_.collisions(with_clearance());
+    const double room = kept_.for_core ? clearance_for_core : clearance;
+    const auto columns = [&] { return column_edges(quads_, directions_, trial_); };
+    std::vector<int> colliding = kept_.skin.collisions(columns(), room);
     result_.colliding_quads = static_cast<int>(colliding.size());
     while (!colliding.empty()) {
       const std::vector<int> among = with_neighbours(colliding);
-      for (; !colliding.empty(); colliding = skin_.collisions(with_clearance(), among)) {
+      for (; !colliding.empty(); colliding = kept_.skin.collisions(columns(), room, among)) {
         shrink(colliding, "keeps clear of the wall beside it");
       }
       shrink_bad_columns();
-      colliding = skin_.collisions(with_clearance());
+      colliding = kept_.skin.collisions(columns(), room);
     }
   }
 
@@ -243,8 +269,8 @@ class Fitter {
     for (bool changed = true; changed;) {
       changed = false;
       throw_if_cancelled();
-      for (std::size_t e = 0; e < edges_.size(); ++e) {
-        const auto [a, b] = edges_[e];
+      for (std::size_t e = 0; e < kept_.edges.size(); ++e) {
+        const auto [a, b] = kept_.edges[e];
         const double most = std::min(t[a], t[b]) + room_[e];
         double& greater = t[a] > t[b] ? t[a] : t[b];
         if (greater <= most * (1.0 + slope_tolerance)) continue;
@@ -273,24 +299,41 @@ class Fitter {
 
   const QuadMesh& quads_;
   const std::vector<Vec3>& directions_;
-  Side side_;
-  bool for_core_;
-  std::vector<double> levels_;
-  std::vector<std::array<int, 2>> edges_;
-  std::vector<double> room_;  // #E greatest difference of thickness between the ends
-  Skin skin_;
-  Skewness skewness_;
+  Kept& kept_;
   WallShape trial_;
+  std::vector<double> room_;   // #E greatest difference of thickness between the ends
   std::vector<double> bound_;  // #Q scaled Jacobian wanted
   ThicknessResult result_;
 };
 
 }  // namespace
 
+ThicknessFitter::ThicknessFitter(const QuadMesh& quads, const LayerPlan& plan, Side side,
+                                 bool for_core) {
+  const std::vector<double> levels =
+      side == Side::outward ? plan.outer_levels() : plan.inner_levels();
+  kept_ = std::make_unique<Kept>(Kept{side,
+                                      for_core && side == Side::inward,
+                                      levels,
+                                      edges_of(quads),
+                                      Skin(quads, side),
+                                      Skewness(quads, levels),
+                                      {},
+                                      {}});
+}
+
+ThicknessFitter::~ThicknessFitter() = default;
+ThicknessFitter::ThicknessFitter(ThicknessFitter&&) noexcept = default;
+ThicknessFitter& ThicknessFitter::operator=(ThicknessFitter&&) noexcept = default;
+
+ThicknessResult ThicknessFitter::fit(const QuadMesh& quads, const std::vector<Vec3>& directions,
+                                     const WallShape& shape, const std::vector<double>& shares) {
+  return Fitter(quads, directions, shape, *kept_).run(shares);
+}
+
 ThicknessResult fit_thickness(const QuadMesh& quads, const std::vector<Vec3>& directions,
-                              const WallShape& shape, Side side, bool for_core,
-                              const std::vector<double>& shares) {
-  return Fitter(quads, directions, shape, side, for_core).run(shares);
+                              const WallShape& shape, Side side, bool for_core) {
+  return ThicknessFitter(quads, shape.plan, side, for_core).fit(quads, directions, shape);
 }
 
 }  // namespace hexwall

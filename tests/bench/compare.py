@@ -15,7 +15,7 @@ from vtk.util.numpy_support import vtk_to_numpy
 
 HEXWALL = "build/hexwall"
 RUNS = 3
-LAYERS = 4
+LAYERS = 3
 
 
 def timed(command, folder):

@@ -144,29 +144,36 @@ double ring_volume(double inner, double outer) {
 TEST(Skewness, CountsTheFacesOfEndRings) {
   Tube t = tube(12, 4, 1.0, 2.0);
   const WallShape shape = outward_shape(t, 0.01, 1);
-  EXPECT_TRUE(Skewness(t.quads, t.directions, shape.plan.levels).quads_above(1.0, shape).empty());
+  const auto skewed_above = [&](double limit) {
+    return Skewness(t.quads, shape.plan.levels)
+        .quads_above(limit, column_edges(t.quads, t.directions, shape));
+  };
+  EXPECT_TRUE(skewed_above(1.0).empty());
   for (std::size_t v = 0; v < t.directions.size(); ++v) {
     if (t.quads.loop_of_vertex[v] != 0) continue;
     t.directions[v] = (t.directions[v] + 2.0 * Vec3::UnitZ()).normalized();
   }
-  const std::vector<int> skewed =
-      Skewness(t.quads, t.directions, shape.plan.levels).quads_above(4.0, shape);
+  const std::vector<int> skewed = skewed_above(4.0);
   EXPECT_EQ(skewed.size(), 12U);
   for (const int q : skewed) EXPECT_LT(q, 12);
 }
 
 // After changes in some places it says the same as one that looks at all.
-TEST(Skewness, IsComputedAgainWhereTheThicknessChanges) {
+TEST(Skewness, IsComputedAgainWhereColumnsChange) {
   std::mt19937 random(1);
   const Tube t = tube(24, 20, 1.0, 2.0);
-  WallShape shape = outward_shape(t, 0.1);
-  Skewness skewness(t.quads, t.directions, shape.plan.levels);
+  const WallShape shape = outward_shape(t, 0.1);
+  std::vector<ColumnEdge> columns = column_edges(t.quads, t.directions, shape);
+  Skewness skewness(t.quads, shape.plan.levels);
   bool some = false;
   for (int round = 0; round < 20; ++round) {
-    const std::vector<int> skewed = skewness.quads_above(1.0, shape);
-    EXPECT_EQ(skewed, Skewness(t.quads, t.directions, shape.plan.levels).quads_above(1.0, shape));
+    const std::vector<int> skewed = skewness.quads_above(1.0, columns);
+    EXPECT_EQ(skewed, Skewness(t.quads, shape.plan.levels).quads_above(1.0, columns));
     some = some || (!skewed.empty() && skewed.size() < t.quads.quads.size() / 2);
-    for (int i = 0; i < 3; ++i) shape.outward[random() % shape.outward.size()] *= 3.0;
+    columns[random() % columns.size()].outward *= 3.0;
+    columns[random() % columns.size()].base.z() += 0.05;
+    Vec3& direction = columns[random() % columns.size()].direction;
+    direction = (direction + Vec3::UnitZ()).normalized();
   }
   EXPECT_TRUE(some);
 }
@@ -198,27 +205,46 @@ TEST(ColumnQualities, AreFoundAgainWhereColumnsChange) {
 }
 
 // The same: faces meet in the middle of a tube whose layers are too thick there.
-TEST(Skin, IsSearchedAgainWhereTheThicknessChanges) {
+TEST(Skin, IsSearchedAgainWhereColumnsChange) {
   std::mt19937 random(1);
   const Tube t = tube(16, 60, 1.0, 8.0);
-  std::vector<double> thickness(t.quads.points.size(), 0.9);
-  Skin skin(t.quads, t.directions, Side::inward);
+  std::vector<ColumnEdge> columns = column_edges(t.quads, t.directions, inward_shape(t, 0.9));
+  Skin skin(t.quads, Side::inward);
   int clear = 0;
   int meeting = 0;
   for (int round = 0; round < 60; ++round) {
-    const std::vector<int> quads = skin.collisions(thickness);
-    EXPECT_EQ(quads, Skin(t.quads, t.directions, Side::inward).collisions(thickness)) << round;
+    const std::vector<int> quads = skin.collisions(columns, 1.0);
+    EXPECT_EQ(quads, Skin(t.quads, Side::inward).collisions(columns, 1.0)) << round;
     ++(quads.empty() ? clear : meeting);
     for (const int q : quads) {
       if (random() % 3 == 0) continue;
-      for (const int v : t.quads.quads[q]) thickness[v] *= 0.9;
+      for (const int v : t.quads.quads[q]) columns[v].inward *= 0.9;
     }
     if (quads.empty()) {
-      for (int i = 0; i < 2; ++i) thickness[random() % thickness.size()] = 1.0;
+      columns[random() % columns.size()].inward = 1.0;
+      columns[random() % columns.size()].base.z() += 0.05;
     }
   }
   EXPECT_GT(clear, 3);
-  EXPECT_GT(meeting, 20);
+  EXPECT_GT(meeting, 10);
+}
+
+// The same of a whole fit, which finds columns too bad, too skewed, and in each other's way.
+TEST(ThicknessFitter, FitsAgainWhereColumnsChange) {
+  std::mt19937 random(1);
+  Tube t = tube(16, 30, 1.0, 8.0);
+  const WallShape shape = inward_shape(t, 0.8);
+  ThicknessFitter fitter(t.quads, shape.plan, Side::inward);
+  for (int round = 0; round < 12; ++round) {
+    const ThicknessResult fit = fitter.fit(t.quads, t.directions, shape);
+    const ThicknessResult anew = fit_thickness(t.quads, t.directions, shape, Side::inward);
+    EXPECT_EQ(fit.given, anew.given) << round;
+    EXPECT_EQ(fit.colliding_quads, anew.colliding_quads) << round;
+    const std::size_t v = random() % t.directions.size();
+    if (t.quads.loop_of_vertex[v] >= 0) continue;
+    t.quads.points[v].z() += 0.04;
+    t.directions[v] = (t.directions[v] + 0.4 * Vec3::UnitZ()).normalized();
+  }
 }
 
 TEST(Extrude, FillsATubeOutward) {
