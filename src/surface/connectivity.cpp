@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <numeric>
-#include <tuple>
 #include <utility>
 
 #include <fmt/format.h>
@@ -20,49 +19,42 @@ Connectivity::Connectivity(int vertex_count, std::vector<std::array<int, 3>> tri
 }
 
 void Connectivity::match_halfedges() {
-  // Half-edges of an edge side by side: in buckets by their lower vertex, sorted within each.
-  struct Key {
-    int low, high, halfedge;
-  };
-  std::vector<int> bucket(outgoing_.size() + 1, 0);
-  for (int h = 0; h < halfedge_count(); ++h) ++bucket[std::min(tail(h), tip(h)) + 1];
-  std::partial_sum(bucket.begin(), bucket.end(), bucket.begin());
-  std::vector<Key> keys(halfedge_count());
-  std::vector<int> next(bucket.begin(), bucket.end() - 1);
-  for (int h = 0; h < halfedge_count(); ++h) {
-    const int low = std::min(tail(h), tip(h));
-    keys[next[low]++] = {low, std::max(tail(h), tip(h)), h};
-  }
-  for (int v = 0; v < vertex_count(); ++v) {
-    std::sort(keys.begin() + bucket[v], keys.begin() + bucket[v + 1],
-              [](const Key& a, const Key& b) {
-                return std::tie(a.high, a.halfedge) < std::tie(b.high, b.halfedge);
-              });
-  }
+  std::vector<int> first(outgoing_.size() + 1, 0);
+  for (int h = 0; h < halfedge_count(); ++h) ++first[tail(h) + 1];
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  std::vector<int> from(halfedge_count());  // half-edges by their tails
+  std::vector<int> end(first.begin(), first.end() - 1);
+  for (int h = 0; h < halfedge_count(); ++h) from[end[tail(h)]++] = h;
   twin_.assign(halfedge_count(), -1);
-  for (std::size_t i = 0; i < keys.size();) {
-    std::size_t end = i + 1;
-    while (end < keys.size() && keys[end].low == keys[i].low && keys[end].high == keys[i].high)
-      ++end;
-    if (end - i > 2) {
-      throw TopologyError(
-          fmt::format("edge ({}, {}) belongs to {} triangles: at most 2 are possible", keys[i].low,
-                      keys[i].high, end - i));
+  // At one vertex after the other: the half-edge from it to each of its neighbours.
+  std::vector<int> to(outgoing_.size(), -1);
+  for (int v = 0; v < vertex_count(); ++v) {
+    for (int i = first[v]; i < first[v + 1]; ++i) {
+      const int other = std::exchange(to[tip(from[i])], from[i]);
+      if (other >= 0 && tail(other) == v) refuse_edge(other, from[i]);
     }
-    if (end - i == 2) {
-      const int g = keys[i].halfedge;
-      const int h = keys[i + 1].halfedge;
-      if (tail(g) == tail(h)) {
-        throw TopologyError(
-            fmt::format("triangles {} and {} disagree in their orientation at edge "
-                        "({}, {})",
-                        face(g), face(h), keys[i].low, keys[i].high));
-      }
-      twin_[g] = h;
-      twin_[h] = g;
+    for (int i = first[v]; i < first[v + 1]; ++i) {
+      const int incoming = prev(from[i]);
+      const int twin = to[tail(incoming)];
+      if (twin >= 0 && tail(twin) == v && tail(incoming) != v) twin_[incoming] = twin;
     }
-    i = end;
   }
+}
+
+// Two half-edges go the same way.
+void Connectivity::refuse_edge(int g, int h) const {
+  const auto [low, high] = std::minmax({tail(g), tip(g)});
+  int uses = 0;
+  for (int i = 0; i < halfedge_count(); ++i) {
+    if (std::minmax({tail(i), tip(i)}) == std::pair(low, high)) ++uses;
+  }
+  if (uses > 2) {
+    throw TopologyError(fmt::format("edge ({}, {}) belongs to {} triangles: at most 2 are possible",
+                                    low, high, uses));
+  }
+  throw TopologyError(
+      fmt::format("triangles {} and {} disagree in their orientation at edge ({}, {})", face(g),
+                  face(h), low, high));
 }
 
 void Connectivity::number_edges() {

@@ -57,6 +57,7 @@ class Connectivity {
 
  private:
   void match_halfedges();
+  [[noreturn]] void refuse_edge(int g, int h) const;
   void number_edges();
   void find_fans();
   void find_loops();
