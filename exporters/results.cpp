@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
+#include "exporters/corner_values.h"
 #include "foliation/labels.h"
 #include "hex/quality.h"
 
@@ -118,16 +119,15 @@ PolyData surface_data(const PipelineResult& r) {
   const TriangleSurface& surface = r.solution.refined.surface;
   const SurfaceLabels labels = label_surface(r.solution.connectivity, r.solution.form, r.foliation,
                                              r.numbers.across, r.numbers.along, r.spacing);
-  PolyData data = separate_triangles(surface);
   std::vector<double> x;
   std::vector<double> uv;
   for (std::size_t f = 0; f < surface.triangles.size(); ++f) {
     x.insert(x.end(), labels.x[f].begin(), labels.x[f].end());
     uv.insert(uv.end(), labels.uv[f].begin(), labels.uv[f].end());
   }
-  data.point_arrays.push_back({"y", 1, at_corners(surface, r.solution.form.y)});
-  data.point_arrays.push_back({"x", 1, std::move(x)});
-  data.point_arrays.push_back({"uv", 2, std::move(uv)});
+  PolyData data = with_corner_values(surface, {{"y", 1, at_corners(surface, r.solution.form.y)},
+                                               {"x", 1, std::move(x)},
+                                               {"uv", 2, std::move(uv)}});
   data.texture_coordinates = "uv";
   data.cell_arrays.push_back({"cylinder", 1, labels.cylinder});
   data.cell_arrays.push_back({"patch", 1, labels.patch});
@@ -195,16 +195,17 @@ PolyData basis_data(const PipelineResult& r) {
   const Eigen::MatrixXd g = potentials(basis);
   const PeriodicForms periodic =
       periodic_forms(r.solution.connectivity, *laplace_of(r.solution), basis);
-  PolyData data = separate_triangles(surface);
+  std::vector<DataArray> arrays;
   for (int i = 0; i < basis.size(); ++i) {
     const std::string loop = loop_name(r, basis.loop(i));
     std::vector<double> x = integrate(r.solution.connectivity, periodic.form(i));
     const std::vector<double> y = at_corners(surface, g.col(i));
     std::vector<double> phi = interleaved(x, y);
-    data.point_arrays.push_back({"f_" + loop, 1, at_corners(surface, basis.f.col(i))});
-    data.point_arrays.push_back({"omega_" + loop, 1, std::move(x)});
-    data.point_arrays.push_back({"phi_" + loop, 2, std::move(phi)});
+    arrays.push_back({"f_" + loop, 1, at_corners(surface, basis.f.col(i))});
+    arrays.push_back({"omega_" + loop, 1, std::move(x)});
+    arrays.push_back({"phi_" + loop, 2, std::move(phi)});
   }
+  PolyData data = with_corner_values(surface, arrays);
   data.texture_coordinates = "phi_" + loop_name(r, basis.loop(0));
   return data;
 }

@@ -8,8 +8,8 @@
 
 namespace hexwall {
 
-/// `surface.vtp`: the input's triangles (split where the Delaunay refinement split them), three
-/// points each, with y, x, the texture coordinates `uv`, scale factor, cylinder and patch.
+/// `surface.vtp`: the input's triangles (split where the Delaunay refinement split them) with y, x,
+/// the texture coordinates `uv`, scale factor, cylinder and patch.
 PolyData surface_data(const PipelineResult& result);
 
 /// `critical.vtp`: zeros as points; horizontal and vertical critical trajectories as polylines.

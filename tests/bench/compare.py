@@ -18,10 +18,15 @@ RUNS = 3
 LAYERS = 3
 
 
-def timed(command, folder):
+def timed(command, folder, output):
     """The least of some runs: seconds, CPU seconds, peak memory in MB, and whether all went well."""
     best = None
     for _ in range(RUNS):
+        path = os.path.join(folder, output)  # not there before
+        if os.path.isdir(path):
+            shutil.rmtree(path)
+        elif os.path.exists(path):
+            os.remove(path)
         start = time.monotonic()
         process = subprocess.Popen(command, cwd=folder, stdout=subprocess.DEVNULL,
                                    stderr=subprocess.DEVNULL)
@@ -184,7 +189,8 @@ def compare(path, folder, size, thickness):
 
     options = ["--size", str(size), "--thickness", str(thickness), "--layers", str(LAYERS), "-q"]
     rows["hexwall, wall"] = timed(
-        [program, "mesh", full, "-o", "hexwall", "--no-report", *options], folder)
+        [program, "mesh", full, "-o", "hexwall", "--no-report", *options], folder,
+                                   "hexwall")
     rows["hexwall, wall"] |= measure_quads(f"{folder}/hexwall/quads.vtp", surface)
     rows["hexwall, wall"] |= quality(f"{folder}/hexwall/wall.vtu")
     count = rows["hexwall, wall"]["quads"]
@@ -193,7 +199,7 @@ def compare(path, folder, size, thickness):
         write(f"{folder}/gmsh_{name}.geo", gmsh_script(full, size, wall))
         key = f"gmsh, {name}"
         rows[key] = timed(["gmsh", "-3" if wall else "-2", f"gmsh_{name}.geo", "-o",
-                           f"gmsh_{name}.msh", "-v", "0"], folder)
+                           f"gmsh_{name}.msh", "-v", "0"], folder, f"gmsh_{name}.msh")
         if rows[key]["ok"]:
             rows[key] |= quality(f"{folder}/gmsh_{name}.msh")
     if rows["gmsh, quads"]["ok"]:
@@ -201,7 +207,7 @@ def compare(path, folder, size, thickness):
 
     closed_copy(surface, f"{folder}/closed.stl")
     rows["tetgen, lumen"] = timed(
-        ["tetgen", f"-pq1.414a{size ** 3 * 0.118}", "closed.stl"], folder)
+        ["tetgen", f"-pq1.414a{size ** 3 * 0.118}", "closed.stl"], folder, "closed.1.ele")
 
     others = {
         "quadriflow": ["-boundary", "-i", "input.obj", "-o", "quadriflow.obj", "-f", str(count)],
@@ -214,7 +220,7 @@ def compare(path, folder, size, thickness):
     for name, arguments in others.items():
         if shutil.which(name) is None:
             continue
-        rows[name] = timed([name, *arguments], folder)
+        rows[name] = timed([name, *arguments], folder, f"{name}.obj")
         result = f"{folder}/{name}.obj"
         if rows[name]["ok"] and os.path.exists(result):
             rows[name] |= measure_quads(result, surface) | quality(result)
