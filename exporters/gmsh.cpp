@@ -13,7 +13,7 @@
 #include "core/errors.h"
 #include "exporters/output_file.h"
 #include "exporters/text.h"
-#include "lumen/cell_faces.h"
+#include "hex/cell_faces.h"
 
 namespace hexwall {
 namespace {
@@ -273,10 +273,6 @@ void write_gmsh(const std::filesystem::path& path, const CellMesh& mesh) {
   append_nodes(mesh, entities, text);
   append_elements(mesh, entities, text);
   write_output_file(path, text.take());
-}
-
-void write_gmsh(const std::filesystem::path& path, const HexMesh& mesh) {
-  write_gmsh(path, to_cell_mesh(mesh));
 }
 
 }  // namespace hexwall

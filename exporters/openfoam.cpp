@@ -15,7 +15,7 @@
 #include "exporters/foam_file.h"
 #include "exporters/output_file.h"
 #include "exporters/text.h"
-#include "lumen/cell_faces.h"
+#include "hex/cell_faces.h"
 
 namespace hexwall {
 namespace {
@@ -273,11 +273,6 @@ void write_openfoam(const std::filesystem::path& case_dir, const CellMesh& mesh,
   append_control(files);
   append_schemes("system", files);
   write_output_files(case_dir, files);
-}
-
-void write_openfoam(const std::filesystem::path& case_dir, const HexMesh& mesh,
-                    double metres_per_unit) {
-  write_openfoam(case_dir, to_cell_mesh(mesh), metres_per_unit);
 }
 
 void write_openfoam_regions(const std::filesystem::path& case_dir, const CellMesh& mesh,

@@ -10,7 +10,7 @@
 #include "exporters/output_file.h"
 #include "exporters/text.h"
 #include "exporters/vtk_files.h"
-#include "lumen/cell_faces.h"
+#include "hex/cell_faces.h"
 
 namespace hexwall {
 namespace {
@@ -28,19 +28,19 @@ std::vector<int> from_one(std::vector<int> ids) {
   return ids;
 }
 
-OutputFile volume_file(const HexMesh& mesh, const CellMesh& cells) {
+OutputFile volume_file(const HexMesh& mesh) {
   return {"mesh-complete.mesh.vtu",
-          vtu_bytes(cells,
+          vtu_bytes(mesh,
                     {{"layer", 1, mesh.layer},
                      {"quad", 1, mesh.quad},
-                     {"GlobalElementID", 1, numbers(mesh.hexes.size())},
-                     {"ModelRegionID", 1, from_one(group_of_cells(cells, cells.zones))}},
+                     {"GlobalElementID", 1, numbers(mesh.shape.size())},
+                     {"ModelRegionID", 1, from_one(group_of_cells(mesh, mesh.zones))}},
                     {{"GlobalNodeID", 1, numbers(mesh.points.size())}})};
 }
 
-OutputFile domains_file(const CellMesh& cells) {
-  Text text(4 * cells.shape.size());
-  for (const int zone : group_of_cells(cells, cells.zones)) text << zone + 1 << '\n';
+OutputFile domains_file(const CellMesh& mesh) {
+  Text text(4 * mesh.shape.size());
+  for (const int zone : group_of_cells(mesh, mesh.zones)) text << zone + 1 << '\n';
   return {"domain_ids.dat", text.take()};
 }
 
@@ -124,10 +124,9 @@ std::vector<OutputFile> surface_files(const CellMesh& mesh) {
 }  // namespace
 
 void write_svmultiphysics(const std::filesystem::path& folder, const HexMesh& mesh) {
-  const CellMesh cells = to_cell_mesh(mesh);
-  std::vector<OutputFile> files = surface_files(cells);
-  files.push_back(domains_file(cells));
-  files.push_back(volume_file(mesh, cells));
+  std::vector<OutputFile> files = surface_files(mesh);
+  files.push_back(domains_file(mesh));
+  files.push_back(volume_file(mesh));
   write_output_files(folder, files);
 }
 

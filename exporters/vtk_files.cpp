@@ -20,7 +20,7 @@
 #include "core/errors.h"
 #include "exporters/output_file.h"
 #include "exporters/zlib_compressor.h"
-#include "lumen/cell_faces.h"
+#include "hex/cell_faces.h"
 
 namespace hexwall {
 namespace {
@@ -190,21 +190,8 @@ std::string vtu_bytes(const CellMesh& mesh, const std::vector<DataArray>& cell_a
   return xml_bytes<vtkXMLUnstructuredGridWriter>(grid);
 }
 
-std::string vtu_bytes(const HexMesh& mesh, const std::vector<DataArray>& cell_arrays,
-                      const std::vector<DataArray>& point_arrays) {
-  std::vector<DataArray> arrays{{"layer", 1, mesh.layer}, {"quad", 1, mesh.quad}};
-  arrays.insert(arrays.end(), cell_arrays.begin(), cell_arrays.end());
-  return vtu_bytes(to_cell_mesh(mesh), arrays, point_arrays);
-}
-
 void write_vtp(const std::filesystem::path& path, const PolyData& data) {
   write_output_file(path, vtp_bytes(data));
-}
-
-void write_vtu(const std::filesystem::path& path, const HexMesh& mesh,
-               const std::vector<DataArray>& cell_arrays,
-               const std::vector<DataArray>& point_arrays) {
-  write_output_file(path, vtu_bytes(mesh, cell_arrays, point_arrays));
 }
 
 void write_vtu(const std::filesystem::path& path, const CellMesh& mesh,

@@ -150,21 +150,20 @@ TEST(Vtp, MissingTextureCoordinatesAreAnInternalError) {
 TEST(Vtu, ReadsBackAsWritten) {
   const TemporaryFolder folder;
   const HexMesh mesh = block_mesh({});
-  std::vector<double> quality(mesh.hexes.size());
+  std::vector<double> quality(mesh.shape.size());
   for (std::size_t i = 0; i < quality.size(); ++i) quality[i] = 1.0 / static_cast<double>(i + 1);
   std::vector<double> vectors(3 * mesh.points.size(), 0.1);
   write_vtu(folder / "a.vtu", mesh, {{"quality", 1, quality}}, {{"vectors", 3, vectors}});
   const auto data = read_vtu(folder / "a.vtu");
   expect_same_points(data, mesh.points);
-  ASSERT_EQ(data->GetNumberOfCells(), static_cast<vtkIdType>(mesh.hexes.size()));
+  ASSERT_EQ(data->GetNumberOfCells(), static_cast<vtkIdType>(mesh.shape.size()));
   for (vtkIdType i = 0; i < data->GetNumberOfCells(); ++i) {
     EXPECT_EQ(data->GetCellType(i), VTK_HEXAHEDRON);
-    EXPECT_THAT(points_of_cell(data, i), testing::ElementsAreArray(mesh.hexes[i]));
+    EXPECT_THAT(points_of_cell(data, i),
+                testing::ElementsAreArray(mesh.corners(static_cast<int>(i))));
   }
   EXPECT_EQ(values_of(data->GetCellData()->GetArray("quality")), quality);
   EXPECT_EQ(values_of(data->GetPointData()->GetArray("vectors")), vectors);
-  EXPECT_EQ(values_of(data->GetCellData()->GetArray("layer")), as_doubles(mesh.layer));
-  EXPECT_EQ(values_of(data->GetCellData()->GetArray("quad")), as_doubles(mesh.quad));
 }
 
 TEST(Vtu, ZonesAreNamed) {
