@@ -4,6 +4,7 @@
 #include <array>
 #include <cctype>
 #include <charconv>
+#include <ostream>
 #include <set>
 #include <string_view>
 #include <vector>
@@ -151,18 +152,20 @@ void write_abaqus(const std::filesystem::path& path, const HexMesh& mesh,
   const CellFaceValues neighbours = neighbours_of_cells(mesh);
   const std::vector<std::vector<LocalFace>> faces = faces_of_patches(mesh, neighbours);
   group_of_cells(mesh, mesh.zones);  // a hex in no zone would be missing in the file
-  Text text(64 * mesh.points.size() + 80 * mesh.shape.size() + 1024);
-  text << "** Mesh by hexwall, for *INCLUDE in a deck of Abaqus or CalculiX.\n"
-          "** Lengths are in the unit of the surface that was meshed.\n"
-          "** ELSETs are the cell zones and regions, NSETs and SURFACEs the boundary patches and "
-          "the "
-          "interface.\n";
-  append_nodes(mesh, text);
-  append_elements(mesh, options.element_type, text);
-  append_regions(mesh, text);
-  append_patches(mesh, faces, text);
-  append_face_zones(mesh, neighbours, text);
-  write_output_file(path, text.take());
+  write_output_file(path, [&](std::ostream& stream) {
+    Text text(stream);
+    text << "** Mesh by hexwall, for *INCLUDE in a deck of Abaqus or CalculiX.\n"
+            "** Lengths are in the unit of the surface that was meshed.\n"
+            "** ELSETs are the cell zones and regions, NSETs and SURFACEs the boundary patches and "
+            "the "
+            "interface.\n";
+    append_nodes(mesh, text);
+    append_elements(mesh, options.element_type, text);
+    append_regions(mesh, text);
+    append_patches(mesh, faces, text);
+    append_face_zones(mesh, neighbours, text);
+    text.pass_on();
+  });
 }
 
 }  // namespace hexwall

@@ -6,6 +6,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <ostream>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -49,8 +50,15 @@ int count(const auto& container) {
 /// \param append_body called when the file is written.
 OutputFile mesh_file(const FoamMesh& target, std::string_view foam_class, std::string_view name,
                      std::function<void(Text&)> append_body, const std::string& note = "") {
-  return {target.folder() + '/' + std::string(name),
-          foam_header(foam_class, target.folder(), name, note), std::move(append_body)};
+  OutputFile file{target.folder() + '/' + std::string(name), ""};
+  file.source = [header = foam_header(foam_class, target.folder(), name, note),
+                 append_body = std::move(append_body)](std::ostream& stream) {
+    Text text(stream);
+    text << header;
+    append_body(text);
+    text.pass_on();
+  };
+  return file;
 }
 
 OutputFile mesh_file(const FoamMesh& target, std::string_view foam_class, std::string_view name,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <iosfwd>
 #include <string>
 #include <variant>
 #include <vector>
@@ -75,11 +76,10 @@ void write_vtu(const std::filesystem::path& path, const CellMesh& mesh,
                const std::vector<DataArray>& cell_arrays = {},
                const std::vector<DataArray>& point_arrays = {});
 
-/// The bytes that `write_vtp` writes.
-std::string vtp_bytes(const PolyData& data);
-
-/// The bytes that `write_vtu` writes.
-std::string vtu_bytes(const CellMesh& mesh, const std::vector<DataArray>& cell_arrays = {},
-                      const std::vector<DataArray>& point_arrays = {});
+/// The same into a stream that is at its beginning and allows to go back; see `ByteSource`.
+void write_vtp(std::ostream& stream, const PolyData& data);
+void write_vtu(std::ostream& stream, const CellMesh& mesh,
+               const std::vector<DataArray>& cell_arrays = {},
+               const std::vector<DataArray>& point_arrays = {});
 
 }  // namespace hexwall
