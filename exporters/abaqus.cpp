@@ -4,6 +4,7 @@
 #include <array>
 #include <cctype>
 #include <charconv>
+#include <ostream>
 #include <set>
 #include <string_view>
 #include <vector>
@@ -12,7 +13,7 @@
 
 #include "exporters/output_file.h"
 #include "exporters/text.h"
-#include "lumen/cell_faces.h"
+#include "hex/cell_faces.h"
 
 namespace hexwall {
 namespace {
@@ -78,11 +79,11 @@ void append_nodes(const HexMesh& mesh, Text& text) {
 void append_elements(const HexMesh& mesh, const std::string& type, Text& text) {
   const std::vector<std::string> labels = labels_of(mesh.zones);
   for (std::size_t z = 0; z < mesh.zones.size(); ++z) {
-    if (mesh.zones[z].hexes.empty()) continue;
+    if (mesh.zones[z].cells.empty()) continue;
     text << "*ELEMENT, TYPE=" << type << ", ELSET=" << labels[z] << '\n';
-    for (const int hex : mesh.zones[z].hexes) {
+    for (const int hex : mesh.zones[z].cells) {
       text << hex + 1;
-      for (const int v : mesh.hexes[hex]) text << ", " << v + 1;
+      for (const int v : mesh.corners(hex)) text << ", " << v + 1;
       text << '\n';
     }
   }
@@ -90,7 +91,7 @@ void append_elements(const HexMesh& mesh, const std::string& type, Text& text) {
 
 /// The regions as sets of elements, where no layer has the same name.
 void append_regions(const HexMesh& mesh, Text& text) {
-  for (const CellZone& region : mesh.regions) {
+  for (const CellGroup& region : mesh.regions) {
     const std::string label = label_of(region.name);
     const std::vector<std::string> taken = labels_of(mesh.zones);
     if (std::any_of(taken.begin(), taken.end(),
@@ -98,11 +99,11 @@ void append_regions(const HexMesh& mesh, Text& text) {
       continue;
     text << "*ELSET, ELSET=" << label << ", GENERATE\n";
     // Hexes of a region are numbered in one run, or a few.
-    for (std::size_t i = 0; i < region.hexes.size();) {
+    for (std::size_t i = 0; i < region.cells.size();) {
       std::size_t last = i;
-      while (last + 1 < region.hexes.size() && region.hexes[last + 1] == region.hexes[last] + 1)
+      while (last + 1 < region.cells.size() && region.cells[last + 1] == region.cells[last] + 1)
         ++last;
-      text << region.hexes[i] + 1 << ", " << region.hexes[last] + 1 << ", 1\n";
+      text << region.cells[i] + 1 << ", " << region.cells[last] + 1 << ", 1\n";
       i = last + 1;
     }
   }
@@ -148,22 +149,23 @@ void append_face_zones(const CellMesh& mesh, const CellFaceValues& neighbours, T
 
 void write_abaqus(const std::filesystem::path& path, const HexMesh& mesh,
                   const AbaqusOptions& options) {
-  const CellMesh cells = to_cell_mesh(mesh);
-  const CellFaceValues neighbours = neighbours_of_cells(cells);
-  const std::vector<std::vector<LocalFace>> faces = faces_of_patches(cells, neighbours);
-  group_of_cells(cells, cells.zones);  // a hex in no zone would be missing in the file
-  Text text(64 * mesh.points.size() + 80 * mesh.hexes.size() + 1024);
-  text << "** Mesh by hexwall, for *INCLUDE in a deck of Abaqus or CalculiX.\n"
-          "** Lengths are in the unit of the surface that was meshed.\n"
-          "** ELSETs are the cell zones and regions, NSETs and SURFACEs the boundary patches and "
-          "the "
-          "interface.\n";
-  append_nodes(mesh, text);
-  append_elements(mesh, options.element_type, text);
-  append_regions(mesh, text);
-  append_patches(cells, faces, text);
-  append_face_zones(cells, neighbours, text);
-  write_output_file(path, text.take());
+  const CellFaceValues neighbours = neighbours_of_cells(mesh);
+  const std::vector<std::vector<LocalFace>> faces = faces_of_patches(mesh, neighbours);
+  group_of_cells(mesh, mesh.zones);  // a hex in no zone would be missing in the file
+  write_output_file(path, [&](std::ostream& stream) {
+    Text text(stream);
+    text << "** Mesh by hexwall, for *INCLUDE in a deck of Abaqus or CalculiX.\n"
+            "** Lengths are in the unit of the surface that was meshed.\n"
+            "** ELSETs are the cell zones and regions, NSETs and SURFACEs the boundary patches and "
+            "the "
+            "interface.\n";
+    append_nodes(mesh, text);
+    append_elements(mesh, options.element_type, text);
+    append_regions(mesh, text);
+    append_patches(mesh, faces, text);
+    append_face_zones(mesh, neighbours, text);
+    text.pass_on();
+  });
 }
 
 }  // namespace hexwall

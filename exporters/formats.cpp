@@ -13,23 +13,17 @@ using Path = std::filesystem::path;
 const std::vector<Format>& hex_mesh_formats() {
   static const std::vector<Format> formats{
       {"vtu", "wall.vtu",
-       [](const Path& path, const PipelineResult& r, const CellMesh& cells, double) {
-         write_wall(path, r, cells);
-       }},
+       [](const Path& path, const PipelineResult& r, double) { write_wall(path, r); }},
       {"openfoam", "openfoam",
-       [](const Path& path, const PipelineResult&, const CellMesh& cells, double metres_per_unit) {
-         write_openfoam(path, cells, metres_per_unit);
+       [](const Path& path, const PipelineResult& r, double metres_per_unit) {
+         write_openfoam(path, r.wall, metres_per_unit);
        }},
       {"abaqus", "wall.inp",
-       [](const Path& path, const PipelineResult& r, const CellMesh&, double) {
-         write_abaqus(path, r.wall);
-       }},
+       [](const Path& path, const PipelineResult& r, double) { write_abaqus(path, r.wall); }},
       {"gmsh", "wall.msh",
-       [](const Path& path, const PipelineResult&, const CellMesh& cells, double) {
-         write_gmsh(path, cells);
-       }},
+       [](const Path& path, const PipelineResult& r, double) { write_gmsh(path, r.wall); }},
       {"svmultiphysics", "mesh-complete",
-       [](const Path& path, const PipelineResult& r, const CellMesh&, double) {
+       [](const Path& path, const PipelineResult& r, double) {
          write_svmultiphysics(path, r.wall);
        }},
   };

@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "lumen/cell_mesh.h"
 #include "pipeline.h"
 
 namespace hexwall {
@@ -13,10 +12,9 @@ namespace hexwall {
 struct Format {
   std::string name;    ///< in `--write`
   std::string output;  ///< the file or folder it is written to
-  /// \param cells `to_cell_mesh(result.wall)`
   /// \param metres_per_unit length of the result's unit in metres
   void (*write)(const std::filesystem::path& path, const PipelineResult& result,
-                const CellMesh& cells, double metres_per_unit);
+                double metres_per_unit);
 };
 
 /// All formats in which the hex mesh can be written.

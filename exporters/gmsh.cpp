@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <ostream>
 #include <set>
 #include <span>
 #include <string>
@@ -13,7 +14,7 @@
 #include "core/errors.h"
 #include "exporters/output_file.h"
 #include "exporters/text.h"
-#include "lumen/cell_faces.h"
+#include "hex/cell_faces.h"
 
 namespace hexwall {
 namespace {
@@ -25,11 +26,11 @@ constexpr int kVolume = 3;
 constexpr int kTriangle = 2;
 constexpr int kQuadrangle = 3;
 
-/// Elements of one kind.
+/// Elements of one kind: faces, or cells of the mesh.
 struct Block {
-  int corners = 0;            ///< vertices per element
-  std::vector<int> vertices;  ///< `corners` per element
-  std::vector<int> cells;     ///< with volumes: the cell that each element is
+  int corners = 0;            ///< vertices per face
+  std::vector<int> vertices;  ///< `corners` per face
+  std::vector<int> cells;
 };
 
 /// A discrete surface or volume of Gmsh.
@@ -41,15 +42,11 @@ struct Entity {
   std::vector<int> nodes = {};       ///< vertices that no entity before it has
   std::vector<int> boundary = {};    ///< tags of the surfaces around a volume
 
-  void add(int kind, std::span<const int> corners) {
-    Block& block = blocks[kind];
-    block.corners = static_cast<int>(corners.size());
-    block.vertices.insert(block.vertices.end(), corners.begin(), corners.end());
-  }
-
   void add_face(const std::array<int, 4>& face) {
-    const bool is_triangle = corner_count(face) == 3;
-    add(is_triangle ? kTriangle : kQuadrangle, std::span(face).first(is_triangle ? 3 : 4));
+    const int corners = corner_count(face);
+    Block& block = blocks[corners == 3 ? kTriangle : kQuadrangle];
+    block.corners = corners;
+    block.vertices.insert(block.vertices.end(), face.begin(), face.begin() + corners);
   }
 };
 
@@ -71,7 +68,20 @@ int count(const auto& container) {
 }
 
 int element_count(const Block& block) {
-  return count(block.vertices) / block.corners;
+  return block.cells.empty() ? count(block.vertices) / block.corners : count(block.cells);
+}
+
+std::span<const int> element(const CellMesh& mesh, const Block& block, int i) {
+  if (!block.cells.empty()) return mesh.corners(block.cells[i]);
+  return {block.vertices.data() + block.corners * i, static_cast<std::size_t>(block.corners)};
+}
+
+/// Calls `visit` with each vertex of each element of an entity.
+template <typename Visit>
+void for_each_corner(const CellMesh& mesh, const Entity& entity, Visit visit) {
+  for (const auto& [kind, block] : entity.blocks)
+    for (int i = 0; i < element_count(block); ++i)
+      for (const int v : element(mesh, block, i)) visit(v);
 }
 
 /// Whether regions have physical groups of their own, behind those of the zones.
@@ -93,11 +103,8 @@ std::vector<Entity> volumes_of(const CellMesh& mesh) {
   std::vector<Entity> volumes;
   for (int z = 0; z < count(mesh.zones); ++z) {
     Entity volume{kVolume, z + 1, groups_of_zone(mesh, z)};
-    for (const int cell : mesh.zones[z].cells) {
-      const int kind = gmsh_kind(mesh.shape[cell]);
-      volume.add(kind, mesh.corners(cell));
-      volume.blocks[kind].cells.push_back(cell);
-    }
+    for (const int cell : mesh.zones[z].cells)
+      volume.blocks[gmsh_kind(mesh.shape[cell])].cells.push_back(cell);
     volumes.push_back(std::move(volume));
   }
   return volumes;
@@ -134,15 +141,14 @@ void append_face_zone(const CellMesh& mesh, int z, const CellFaceValues& neighbo
 }
 
 /// Gives each vertex to the first entity that has it.
-void distribute_nodes(int vertices, std::vector<Entity>& entities) {
-  std::vector<bool> is_taken(vertices, false);
+void distribute_nodes(const CellMesh& mesh, std::vector<Entity>& entities) {
+  std::vector<bool> is_taken(mesh.points.size(), false);
   for (Entity& entity : entities)
-    for (const auto& [kind, block] : entity.blocks)
-      for (const int v : block.vertices) {
-        if (is_taken[v]) continue;
-        is_taken[v] = true;
-        entity.nodes.push_back(v);
-      }
+    for_each_corner(mesh, entity, [&](int v) {
+      if (is_taken[v]) return;
+      is_taken[v] = true;
+      entity.nodes.push_back(v);
+    });
 }
 
 /// The surfaces, then the volumes, none of them empty.
@@ -158,7 +164,7 @@ std::vector<Entity> entities_of(const CellMesh& mesh) {
     append_face_zone(mesh, z, neighbours, zone_of, entities, volumes);
   std::copy_if(volumes.begin(), volumes.end(), std::back_inserter(entities),
                [](const Entity& volume) { return !volume.blocks.empty(); });
-  distribute_nodes(count(mesh.points), entities);
+  distribute_nodes(mesh, entities);
   return entities;
 }
 
@@ -193,8 +199,7 @@ void append_point(const Vec3& p, Text& text) {
 
 void append_entity(const CellMesh& mesh, const Entity& entity, Text& text) {
   Eigen::AlignedBox3d box;
-  for (const auto& [kind, block] : entity.blocks)
-    for (const int v : block.vertices) box.extend(mesh.points[v]);
+  for_each_corner(mesh, entity, [&](int v) { box.extend(mesh.points[v]); });
   text << entity.tag << ' ';
   append_point(box.min(), text);
   text << ' ';
@@ -236,13 +241,6 @@ void append_nodes(const CellMesh& mesh, const std::vector<Entity>& entities, Tex
   text << "$EndNodes\n";
 }
 
-void append_element(const Block& block, int index, int tag, Text& text) {
-  text << tag;
-  for (int i = 0; i < block.corners; ++i)
-    text << ' ' << block.vertices[block.corners * index + i] + 1;
-  text << '\n';
-}
-
 void append_elements(const CellMesh& mesh, const std::vector<Entity>& entities, Text& text) {
   int blocks = 0;
   int elements = 0;
@@ -256,8 +254,11 @@ void append_elements(const CellMesh& mesh, const std::vector<Entity>& entities, 
   for (const Entity& entity : entities)
     for (const auto& [kind, block] : entity.blocks) {
       append_block(entity, kind, element_count(block), text);
-      for (int i = 0; i < element_count(block); ++i)
-        append_element(block, i, block.cells.empty() ? ++face_tag : block.cells[i] + 1, text);
+      for (int i = 0; i < element_count(block); ++i) {
+        text << (block.cells.empty() ? ++face_tag : block.cells[i] + 1);
+        for (const int v : element(mesh, block, i)) text << ' ' << v + 1;
+        text << '\n';
+      }
     }
   text << "$EndElements\n";
 }
@@ -266,17 +267,15 @@ void append_elements(const CellMesh& mesh, const std::vector<Entity>& entities, 
 
 void write_gmsh(const std::filesystem::path& path, const CellMesh& mesh) {
   const std::vector<Entity> entities = entities_of(mesh);
-  Text text(80 * mesh.points.size() + 80 * mesh.shape.size() + 1024);
-  text << "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n";  // version, ASCII, size of a number
-  append_physical_names(mesh, text);
-  append_entities(mesh, entities, text);
-  append_nodes(mesh, entities, text);
-  append_elements(mesh, entities, text);
-  write_output_file(path, text.take());
-}
-
-void write_gmsh(const std::filesystem::path& path, const HexMesh& mesh) {
-  write_gmsh(path, to_cell_mesh(mesh));
+  write_output_file(path, [&](std::ostream& stream) {
+    Text text(stream);
+    text << "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n";  // version, ASCII, size of a number
+    append_physical_names(mesh, text);
+    append_entities(mesh, entities, text);
+    append_nodes(mesh, entities, text);
+    append_elements(mesh, entities, text);
+    text.pass_on();
+  });
 }
 
 }  // namespace hexwall

@@ -2,8 +2,7 @@
 
 #include <filesystem>
 
-#include "hex/hex_mesh.h"
-#include "lumen/cell_mesh.h"
+#include "hex/cell_mesh.h"
 
 namespace hexwall {
 
@@ -18,6 +17,5 @@ namespace hexwall {
 /// the zones none of the cells, or a name has a quote or a control character. Nothing is written
 /// then.
 void write_gmsh(const std::filesystem::path& path, const CellMesh& mesh);
-void write_gmsh(const std::filesystem::path& path, const HexMesh& mesh);
 
 }  // namespace hexwall

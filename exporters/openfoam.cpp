@@ -6,6 +6,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <ostream>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -15,7 +16,7 @@
 #include "exporters/foam_file.h"
 #include "exporters/output_file.h"
 #include "exporters/text.h"
-#include "lumen/cell_faces.h"
+#include "hex/cell_faces.h"
 
 namespace hexwall {
 namespace {
@@ -49,8 +50,15 @@ int count(const auto& container) {
 /// \param append_body called when the file is written.
 OutputFile mesh_file(const FoamMesh& target, std::string_view foam_class, std::string_view name,
                      std::function<void(Text&)> append_body, const std::string& note = "") {
-  return {target.folder() + '/' + std::string(name),
-          foam_header(foam_class, target.folder(), name, note), std::move(append_body)};
+  OutputFile file{target.folder() + '/' + std::string(name), ""};
+  file.source = [header = foam_header(foam_class, target.folder(), name, note),
+                 append_body = std::move(append_body)](std::ostream& stream) {
+    Text text(stream);
+    text << header;
+    append_body(text);
+    text.pass_on();
+  };
+  return file;
 }
 
 OutputFile mesh_file(const FoamMesh& target, std::string_view foam_class, std::string_view name,
@@ -273,11 +281,6 @@ void write_openfoam(const std::filesystem::path& case_dir, const CellMesh& mesh,
   append_control(files);
   append_schemes("system", files);
   write_output_files(case_dir, files);
-}
-
-void write_openfoam(const std::filesystem::path& case_dir, const HexMesh& mesh,
-                    double metres_per_unit) {
-  write_openfoam(case_dir, to_cell_mesh(mesh), metres_per_unit);
 }
 
 void write_openfoam_regions(const std::filesystem::path& case_dir, const CellMesh& mesh,

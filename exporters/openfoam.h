@@ -2,8 +2,7 @@
 
 #include <filesystem>
 
-#include "hex/hex_mesh.h"
-#include "lumen/cell_mesh.h"
+#include "hex/cell_mesh.h"
 
 namespace hexwall {
 
@@ -20,8 +19,6 @@ namespace hexwall {
 /// boundary face in no patch, a face in a patch that is no boundary face, a cell in no zone, a
 /// patch or zone name that is not an OpenFOAM word. Nothing is written then.
 void write_openfoam(const std::filesystem::path& case_dir, const CellMesh& mesh,
-                    double metres_per_unit);
-void write_openfoam(const std::filesystem::path& case_dir, const HexMesh& mesh,
                     double metres_per_unit);
 
 /// Writes a case of two regions for conjugate solvers: constant/REGION/polyMesh for each region of

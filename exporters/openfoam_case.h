@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "flow/flow_setup.h"
-#include "lumen/cell_mesh.h"
+#include "hex/cell_mesh.h"
 
 namespace hexwall {
 

@@ -4,7 +4,7 @@
 
 #include "exporters/output_file.h"
 #include "flow/flow_setup.h"
-#include "lumen/cell_mesh.h"
+#include "hex/cell_mesh.h"
 
 namespace hexwall {
 

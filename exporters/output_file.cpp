@@ -2,6 +2,8 @@
 
 #include <cerrno>
 #include <cstdio>
+#include <ostream>
+#include <streambuf>
 #include <string>
 #include <system_error>
 #include <unistd.h>
@@ -32,52 +34,58 @@ class TemporaryFile {
   throw WriteError("cannot write " + path.string() + ": " + std::generic_category().message(error));
 }
 
-/// A file that is written from its beginning to its end. C streams report the reason of a failure
-/// in errno; C++ streams lose it.
-class Stream {
+/// A file that is written. It takes everything, and tells of what could not be written when it is
+/// closed, with the reason, which C++ streams lose.
+class FileBuffer : public std::streambuf {
  public:
   /// \param named in messages, in the place of `path`.
-  Stream(const std::filesystem::path& path, std::filesystem::path named)
+  FileBuffer(const std::filesystem::path& path, std::filesystem::path named)
       : named_(std::move(named)), file_(std::fopen(path.c_str(), "wb")) {
     if (file_ == nullptr) fail(named_, errno);
-    std::setvbuf(file_, nullptr, _IONBF, 0);
   }
-  ~Stream() {
+  ~FileBuffer() override {
     if (file_ != nullptr) std::fclose(file_);
   }
-  Stream(const Stream&) = delete;
-  Stream& operator=(const Stream&) = delete;
+  FileBuffer(const FileBuffer&) = delete;
+  FileBuffer& operator=(const FileBuffer&) = delete;
 
-  void write(std::string_view bytes) {
-    if (std::fwrite(bytes.data(), 1, bytes.size(), file_) != bytes.size()) fail(named_, errno);
-  }
   void close() {
-    if (std::fclose(std::exchange(file_, nullptr)) != 0) fail(named_, errno);
+    note(std::fclose(std::exchange(file_, nullptr)) == 0);
+    if (error_ != 0) fail(named_, error_);
+  }
+
+ protected:
+  std::streamsize xsputn(const char* bytes, std::streamsize size) override {
+    const auto count = static_cast<std::size_t>(size);
+    note(std::fwrite(bytes, 1, count, file_) == count);
+    at_ += size;
+    return size;
+  }
+  int_type overflow(int_type c) override {
+    const char byte = traits_type::to_char_type(c);
+    xsputn(&byte, 1);
+    return c;
+  }
+  pos_type seekoff(off_type offset, std::ios_base::seekdir from, std::ios_base::openmode) override {
+    const off_type to = from == std::ios_base::beg ? offset : at_ + offset;
+    if (to != at_) note(::fseeko(file_, to, SEEK_SET) == 0);
+    at_ = to;
+    return at_;
+  }
+  pos_type seekpos(pos_type to, std::ios_base::openmode mode) override {
+    return seekoff(to, std::ios_base::beg, mode);
   }
 
  private:
+  void note(bool is_done) {
+    if (!is_done && error_ == 0) error_ = errno;
+  }
+
   std::filesystem::path named_;
   std::FILE* file_;
+  off_type at_ = 0;
+  int error_ = 0;  // of the first failure
 };
-
-// \param append_rest appends what follows `bytes`, if it is there.
-void write_file(const std::filesystem::path& path, std::string_view bytes,
-                const std::function<void(Text&)>& append_rest) {
-  std::filesystem::path name = path;
-  name += ".part" + std::to_string(::getpid());
-  const TemporaryFile temporary(name);
-  Stream stream(temporary.path(), path);
-  stream.write(bytes);
-  if (append_rest) {
-    Text text([&](std::string_view piece) { stream.write(piece); });
-    append_rest(text);
-    text.pass_on();
-  }
-  stream.close();
-  std::error_code error;
-  std::filesystem::rename(temporary.path(), path, error);
-  if (error) fail(path, error.value());
-}
 
 void make_folder(const std::filesystem::path& folder) {
   std::error_code error;
@@ -88,14 +96,31 @@ void make_folder(const std::filesystem::path& folder) {
 }  // namespace
 
 void write_output_file(const std::filesystem::path& path, std::string_view bytes) {
-  write_file(path, bytes, {});
+  write_output_file(path, [&](std::ostream& stream) { stream << bytes; });
+}
+
+void write_output_file(const std::filesystem::path& path, const ByteSource& source) {
+  std::filesystem::path name = path;
+  name += ".part" + std::to_string(::getpid());
+  const TemporaryFile temporary(name);
+  FileBuffer file(temporary.path(), path);
+  std::ostream stream(&file);
+  source(stream);
+  file.close();
+  std::error_code error;
+  std::filesystem::rename(temporary.path(), path, error);
+  if (error) fail(path, error.value());
 }
 
 void write_output_files(const std::filesystem::path& folder, const std::vector<OutputFile>& files) {
   try {
     for (const OutputFile& file : files) {
       make_folder((folder / file.path).parent_path());
-      write_file(folder / file.path, file.bytes, file.append_rest);
+      if (file.source) {
+        write_output_file(folder / file.path, file.source);
+      } else {
+        write_output_file(folder / file.path, file.bytes);
+      }
     }
   } catch (...) {
     std::error_code ignored;

@@ -2,11 +2,10 @@
 
 #include <filesystem>
 #include <functional>
+#include <iosfwd>
 #include <string>
 #include <string_view>
 #include <vector>
-
-#include "exporters/text.h"
 
 namespace hexwall {
 
@@ -15,12 +14,19 @@ namespace hexwall {
 /// \throw WriteError naming the path and the reason: no such folder, no permission, disk full.
 void write_output_file(const std::filesystem::path& path, std::string_view bytes);
 
-/// A file of a folder: its path below the folder and its content, the end of which may be made
-/// while it is written, so that it is never in memory as a whole.
+/// Puts bytes into a stream that is at its beginning, and may go back in it. The stream takes all
+/// of them even if the file can no longer be written.
+using ByteSource = std::function<void(std::ostream&)>;
+
+/// The same with bytes that are never in memory as a whole.
+void write_output_file(const std::filesystem::path& path, const ByteSource& source);
+
+/// A file of a folder: its path below the folder and its content, which may also be made while it
+/// is written.
 struct OutputFile {
   std::string path;
   std::string bytes;
-  std::function<void(Text&)> append_rest = {};
+  ByteSource source = {};  ///< in the place of `bytes`
 };
 
 /// Writes files that belong together into `folder`, which is made if missing, as are the folders in

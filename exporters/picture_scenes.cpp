@@ -13,7 +13,6 @@
 #include "exporters/results.h"
 #include "exporters/view_frame.h"
 #include "exporters/vtk_files.h"
-#include "lumen/cell_faces.h"
 
 namespace hexwall {
 namespace {
@@ -172,7 +171,7 @@ std::vector<PictureScene> write_picture_scenes(const fs::path& folder, const Pip
   write_vtp(file("before.vtp"), boards.before);
   write_vtp(file("after.vtp"), boards.after);
   write_vtp(file("quads.vtp"), quad_data(r));
-  write_wall(file("wall.vtu"), r, to_cell_mesh(r.wall));
+  write_wall(file("wall.vtu"), r);
   const Eigen::Matrix3d frame = frame_of_points(matrix_of(r.quads.points));
   const std::string view = joined({frame.col(0), frame.col(1)});
   std::vector<PictureScene> scenes{

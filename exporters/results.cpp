@@ -233,8 +233,8 @@ std::vector<DataArray> wall_point_arrays(const PipelineResult& r) {
   return repeated_for_levels(thickness_arrays(r), r.layers.levels.size());
 }
 
-void write_wall(const std::filesystem::path& path, const PipelineResult& r, const CellMesh& cells) {
-  write_vtu(path, cells, wall_cell_arrays(r), wall_point_arrays(r));
+void write_wall(const std::filesystem::path& path, const PipelineResult& r) {
+  write_vtu(path, r.wall, wall_cell_arrays(r), wall_point_arrays(r));
 }
 
 }  // namespace hexwall

@@ -36,8 +36,6 @@ PolyData separate_triangles(const TriangleSurface& surface);
 std::vector<double> form_at_corners(const FormSolution& solution, const HolomorphicForm& form);
 
 /// `wall.vtu`: the hexes with `wall_cell_arrays` and `wall_point_arrays`.
-/// \param cells `to_cell_mesh(result.wall)`
-void write_wall(const std::filesystem::path& path, const PipelineResult& result,
-                const CellMesh& cells);
+void write_wall(const std::filesystem::path& path, const PipelineResult& result);
 
 }  // namespace hexwall

@@ -1,7 +1,9 @@
 #include "exporters/svmultiphysics.h"
 
 #include <array>
+#include <memory>
 #include <numeric>
+#include <ostream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -10,7 +12,7 @@
 #include "exporters/output_file.h"
 #include "exporters/text.h"
 #include "exporters/vtk_files.h"
-#include "lumen/cell_faces.h"
+#include "hex/cell_faces.h"
 
 namespace hexwall {
 namespace {
@@ -28,40 +30,51 @@ std::vector<int> from_one(std::vector<int> ids) {
   return ids;
 }
 
-OutputFile volume_file(const HexMesh& mesh, const CellMesh& cells) {
-  return {"mesh-complete.mesh.vtu",
-          vtu_bytes(cells,
-                    {{"layer", 1, mesh.layer},
-                     {"quad", 1, mesh.quad},
-                     {"GlobalElementID", 1, numbers(mesh.hexes.size())},
-                     {"ModelRegionID", 1, from_one(group_of_cells(cells, cells.zones))}},
-                    {{"GlobalNodeID", 1, numbers(mesh.points.size())}})};
+OutputFile volume_file(const HexMesh& mesh) {
+  OutputFile file{"mesh-complete.mesh.vtu", ""};
+  file.source = [&mesh](std::ostream& stream) {
+    write_vtu(stream, mesh,
+              {{"layer", 1, mesh.layer},
+               {"quad", 1, mesh.quad},
+               {"GlobalElementID", 1, numbers(mesh.shape.size())},
+               {"ModelRegionID", 1, from_one(group_of_cells(mesh, mesh.zones))}},
+              {{"GlobalNodeID", 1, numbers(mesh.points.size())}});
+  };
+  return file;
 }
 
-OutputFile domains_file(const CellMesh& cells) {
-  Text text(4 * cells.shape.size());
-  for (const int zone : group_of_cells(cells, cells.zones)) text << zone + 1 << '\n';
+OutputFile domains_file(const CellMesh& mesh) {
+  Text text(4 * mesh.shape.size());
+  for (const int zone : group_of_cells(mesh, mesh.zones)) text << zone + 1 << '\n';
   return {"domain_ids.dat", text.take()};
 }
+
+/// The faces of a patch or a face zone.
+struct Part {
+  int id;  ///< from 1
+  std::vector<LocalFace> faces;
+};
 
 /// Makes the points of a surface on the way: each once, in the order in which faces use them.
 class Surface {
  public:
   explicit Surface(const CellMesh& mesh) : mesh_(mesh), point_of_(mesh.points.size(), -1) {}
 
-  void add(const LocalFace& face, int patch) {
-    std::array<int, 4> points = cell_face(mesh_, face.cell, face.local);
-    for (int& v : points) v = point(v);
-    data_.polygons.add(points);
-    elements_.push_back(face.cell + 1);
-    faces_.push_back(patch + 1);
+  void add(const Part& part) {
+    for (const auto& [cell, local] : part.faces) {
+      std::array<int, 4> points = cell_face(mesh_, cell, local);
+      for (int& v : points) v = point(v);
+      data_.polygons.add(points);
+      elements_.push_back(cell + 1);
+      parts_.push_back(part.id);
+    }
   }
 
-  std::string bytes() && {
+  PolyData data() && {
     data_.point_arrays.push_back({"GlobalNodeID", 1, std::move(nodes_)});
     data_.cell_arrays.push_back({"GlobalElementID", 1, std::move(elements_)});
-    data_.cell_arrays.push_back({"ModelFaceID", 1, std::move(faces_)});
-    return vtp_bytes(data_);
+    data_.cell_arrays.push_back({"ModelFaceID", 1, std::move(parts_)});
+    return std::move(data_);
   }
 
  private:
@@ -77,57 +90,58 @@ class Surface {
   const CellMesh& mesh_;
   std::vector<int> point_of_;  ///< #V place of each vertex in `data_`, or -1
   PolyData data_;
-  std::vector<int> nodes_, elements_, faces_;
+  std::vector<int> nodes_, elements_, parts_;
 };
 
-/// The faces of the given patches as one surface.
-std::string surface_bytes(const CellMesh& mesh, const std::vector<std::vector<LocalFace>>& faces,
-                          const std::vector<int>& patches) {
-  Surface surface(mesh);
-  for (const int patch : patches)
-    for (const LocalFace& face : faces[patch]) surface.add(face, patch);
-  return std::move(surface).bytes();
+using Parts = std::vector<std::shared_ptr<const Part>>;
+
+/// The given parts as one surface, which is made when the file is written.
+OutputFile surface_file(const std::string& path, const CellMesh& mesh, const Parts& parts) {
+  OutputFile file{path, ""};
+  file.source = [&mesh, parts](std::ostream& stream) {
+    Surface surface(mesh);
+    for (const auto& part : parts) surface.add(*part);
+    write_vtp(stream, std::move(surface).data());
+  };
+  return file;
 }
 
-const std::string& checked_file_name(const std::string& name) {
-  if (name.empty() || name[0] == '.' || name.find('/') != std::string::npos)
+std::string path_of(const std::string& patch) {
+  if (patch.empty() || patch[0] == '.' || patch.find('/') != std::string::npos)
     throw Error(ExitCode::internal,
-                "cannot export to svMultiPhysics: the patch '" + name + "' is no name of a file");
-  return name;
+                "cannot export to svMultiPhysics: the patch '" + patch + "' is no name of a file");
+  return "mesh-surfaces/" + patch + ".vtp";
 }
 
 std::vector<OutputFile> surface_files(const CellMesh& mesh) {
   const CellFaceValues neighbours = neighbours_of_cells(mesh);
-  const auto faces = faces_of_patches(mesh, neighbours);
+  std::vector<std::vector<LocalFace>> faces = faces_of_patches(mesh, neighbours);
   std::vector<OutputFile> files;
-  std::vector<int> all, walls;
-  for (int p = 0; p < static_cast<int>(faces.size()); ++p) {
-    if (faces[p].empty()) continue;  // svMultiPhysics refuses surfaces without points
-    all.push_back(p);
-    if (mesh.patches[p].is_wall) walls.push_back(p);
-    files.push_back({"mesh-surfaces/" + checked_file_name(mesh.patches[p].name) + ".vtp",
-                     surface_bytes(mesh, faces, {p})});
+  Parts all, walls;
+  int id = 0;
+  for (const CellPatch& patch : mesh.patches) {
+    const auto part = std::make_shared<const Part>(Part{id + 1, std::move(faces[id])});
+    ++id;
+    if (part->faces.empty()) continue;  // svMultiPhysics refuses surfaces without points
+    all.push_back(part);
+    if (patch.is_wall) walls.push_back(part);
+    files.push_back(surface_file(path_of(patch.name), mesh, {part}));
   }
-  for (std::size_t z = 0; z < mesh.face_zones.size(); ++z) {
-    const CellPatch& zone = mesh.face_zones[z];
-    Surface surface(mesh);
-    for (const LocalFace& face : faces_of_zone(mesh, zone, neighbours))
-      surface.add(face, static_cast<int>(faces.size() + z));
-    files.push_back(
-        {"mesh-surfaces/" + checked_file_name(zone.name) + ".vtp", std::move(surface).bytes()});
+  for (const CellPatch& zone : mesh.face_zones) {
+    const Part part{++id, faces_of_zone(mesh, zone, neighbours)};
+    files.push_back(surface_file(path_of(zone.name), mesh, {std::make_shared<const Part>(part)}));
   }
-  files.push_back({"mesh-complete.exterior.vtp", surface_bytes(mesh, faces, all)});
-  if (!walls.empty()) files.push_back({"walls_combined.vtp", surface_bytes(mesh, faces, walls)});
+  files.push_back(surface_file("mesh-complete.exterior.vtp", mesh, all));
+  if (!walls.empty()) files.push_back(surface_file("walls_combined.vtp", mesh, walls));
   return files;
 }
 
 }  // namespace
 
 void write_svmultiphysics(const std::filesystem::path& folder, const HexMesh& mesh) {
-  const CellMesh cells = to_cell_mesh(mesh);
-  std::vector<OutputFile> files = surface_files(cells);
-  files.push_back(domains_file(cells));
-  files.push_back(volume_file(mesh, cells));
+  std::vector<OutputFile> files = surface_files(mesh);
+  files.push_back(domains_file(mesh));
+  files.push_back(volume_file(mesh));
   write_output_files(folder, files);
 }
 

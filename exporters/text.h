@@ -2,27 +2,25 @@
 
 #include <charconv>
 #include <cstddef>
-#include <functional>
 #include <iterator>
+#include <ostream>
 #include <string>
 #include <string_view>
 #include <utility>
 
 namespace hexwall {
 
-/// Text grown in place, or passed on piece by piece; numbers are the shortest that read back to the
-/// same value.
+/// Text grown in place, or put into a stream piece by piece; numbers are the shortest that read
+/// back to the same value.
 class Text {
  public:
-  using Sink = std::function<void(std::string_view)>;
-
   explicit Text(std::size_t expected_size) { text_.reserve(expected_size); }
   /// What it passes on is lost to `take`. `pass_on` must be called at the end.
-  explicit Text(Sink sink) : sink_(std::move(sink)) { text_.reserve(2 * piece); }
+  explicit Text(std::ostream& stream) : stream_(&stream) { text_.reserve(2 * piece); }
 
   Text& operator<<(std::string_view s) {
     text_.append(s);
-    if (sink_ && text_.size() >= piece) pass_on();
+    if (stream_ != nullptr && text_.size() >= piece) pass_on();
     return *this;
   }
   Text& operator<<(char c) { return *this << std::string_view(&c, 1); }
@@ -30,7 +28,7 @@ class Text {
   Text& operator<<(double value) { return number(value); }
   std::string take() { return std::move(text_); }
   void pass_on() {
-    sink_(text_);
+    *stream_ << text_;
     text_.clear();
   }
 
@@ -45,7 +43,7 @@ class Text {
   }
 
   std::string text_;
-  Sink sink_;
+  std::ostream* stream_ = nullptr;
 };
 
 }  // namespace hexwall

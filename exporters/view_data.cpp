@@ -15,7 +15,7 @@
 #include "core/errors.h"
 #include "exporters/view_frame.h"
 #include "exporters/zlib_compressor.h"
-#include "lumen/cell_faces.h"
+#include "hex/cell_faces.h"
 
 namespace hexwall {
 namespace {
@@ -82,16 +82,10 @@ std::vector<float> around_middle(const std::vector<Vec3>& points) {
 }
 
 // Each corner as the difference to the same one of the cell before, which compresses well.
-template <std::size_t n>
-std::vector<std::uint32_t> differences(const std::vector<std::array<int, n>>& cells) {
-  std::vector<std::uint32_t> values;
-  values.reserve(n * cells.size());
-  std::array<int, n> before{};
-  for (const auto& cell : cells) {
-    for (std::size_t k = 0; k < n; ++k) {
-      values.push_back(static_cast<std::uint32_t>(cell[k]) - static_cast<std::uint32_t>(before[k]));
-    }
-    before = cell;
+std::vector<std::uint32_t> differences(std::span<const int> corners, std::size_t per_cell) {
+  std::vector<std::uint32_t> values(corners.begin(), corners.end());
+  for (std::size_t i = per_cell; i < values.size(); ++i) {
+    values[i] -= static_cast<std::uint32_t>(corners[i - per_cell]);
   }
   return values;
 }
@@ -106,9 +100,9 @@ class Arrays {
   explicit Arrays(Blocks& blocks) : blocks_(blocks) {}
 
   void add_groups(const std::string& name, const std::string& title,
-                  const std::vector<CellZone>& groups, const std::vector<int>& group) {
+                  const std::vector<CellGroup>& groups, const std::vector<int>& group) {
     Json labels = Json::array();
-    for (const CellZone& g : groups) labels.push_back(g.name);
+    for (const CellGroup& g : groups) labels.push_back(g.name);
     blocks_.add(name, std::vector<std::uint8_t>(group.begin(), group.end()));
     list_.push_back({{"name", name}, {"title", title}, {"on", "cells"}, {"labels", labels}});
   }
@@ -138,21 +132,20 @@ class Arrays {
 }  // namespace
 
 ViewData view_data(const PipelineResult& r, std::size_t most_hexes) {
-  const bool has_hexes = r.wall.hexes.size() <= most_hexes;
+  const bool has_hexes = r.wall.shape.size() <= most_hexes;
   Blocks blocks;
   blocks.add("points", around_middle(has_hexes ? r.wall.points : r.quads.points));
   Arrays arrays(blocks);
   constexpr std::array unit_range{0.0, 1.0};
   if (has_hexes) {
-    blocks.add("corners", differences(r.wall.hexes));
-    const CellMesh cells = to_cell_mesh(r.wall);
-    arrays.add_groups("zone", "layer or zone", r.wall.zones, group_of_cells(cells, cells.zones));
+    blocks.add("corners", differences(r.wall.connectivity, 8));
+    arrays.add_groups("zone", "layer or zone", r.wall.zones, group_of_cells(r.wall, r.wall.zones));
     if (r.wall.regions.size() > 1) {
-      arrays.add_groups("region", "region", r.wall.regions, group_of_cells(cells, cells.regions));
+      arrays.add_groups("region", "region", r.wall.regions, group_of_cells(r.wall, r.wall.regions));
     }
     arrays.add("scaled_jacobian", "scaled Jacobian", "cells", r.wall_scaled_jacobian, unit_range);
   } else {
-    blocks.add("corners", differences(r.quads.quads));
+    blocks.add("corners", differences({r.quads.quads.front().data(), 4 * r.quads.quads.size()}, 4));
     arrays.add("scaled_jacobian", "scaled Jacobian of the quads", "cells",
                r.quad_quality.scaled_jacobian, unit_range);
   }

@@ -1,5 +1,7 @@
 #include "exporters/vtk_files.h"
 
+#include <ostream>
+
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
@@ -20,7 +22,7 @@
 #include "core/errors.h"
 #include "exporters/output_file.h"
 #include "exporters/zlib_compressor.h"
-#include "lumen/cell_faces.h"
+#include "hex/cell_faces.h"
 
 namespace hexwall {
 namespace {
@@ -79,6 +81,13 @@ vtkSmartPointer<vtkCellArray> to_vtk(const CellList& cells) {
   return result;
 }
 
+vtkSmartPointer<vtkDataArray> to_vtk(const CellFaceValues& values, const char* name) {
+  const int* first = values.empty() ? nullptr : values.front().data();
+  vtkSmartPointer<vtkDataArray> array = to_vtk(first, 6 * values.size(), 6);
+  array->SetName(name);
+  return array;
+}
+
 void add_array(vtkDataSetAttributes* target, const DataArray& array, std::size_t elements) {
   const std::size_t size = std::visit([](const auto& v) { return v.size(); }, array.values);
   if (array.components < 1 || size != elements * static_cast<std::size_t>(array.components))
@@ -99,10 +108,23 @@ void add_strings(vtkDataSet* target, const FieldStrings& strings) {
   target->GetFieldData()->AddArray(array);
 }
 
-/// Serialises in memory: VTK reports no reason when writing a file fails, `write_output_file` does.
+/// VTK's writers can write into a stream that is there already, but let no one but their heirs set
+/// it.
 template <typename Writer>
-std::string xml_bytes(vtkDataSet* data) {
-  vtkNew<Writer> writer;
+class StreamWriter : public Writer {
+ public:
+  static StreamWriter* New() {
+    auto* writer = new StreamWriter;
+    writer->InitializeObjectBase();
+    return writer;
+  }
+  void set_stream(std::ostream& stream) { this->Stream = &stream; }
+};
+
+template <typename Writer>
+void write_xml(std::ostream& stream, vtkDataSet* data) {
+  vtkNew<StreamWriter<Writer>> writer;
+  writer->set_stream(stream);
   writer->SetInputData(data);
   writer->SetDataModeToAppended();
   writer->EncodeAppendedDataOff();
@@ -112,9 +134,7 @@ std::string xml_bytes(vtkDataSet* data) {
   compressor->SetCompressionLevel(1);
   writer->SetCompressor(compressor);
   writer->SetBlockSize(std::size_t{256} << 10);
-  writer->WriteToOutputStringOn();
   writer->Write();
-  return writer->GetOutputString();
 }
 
 template <typename Named>
@@ -133,21 +153,6 @@ void set_cells(vtkUnstructuredGrid* grid, const CellMesh& mesh) {
   grid->SetCells(to_vtk(shapes, mesh.shape.size(), 1), cells);
 }
 
-std::vector<int> flattened(const CellFaceValues& values) {
-  std::vector<int> flat;
-  flat.reserve(6 * values.size());
-  for (const auto& of_cell : values) flat.insert(flat.end(), of_cell.begin(), of_cell.end());
-  return flat;
-}
-
-std::vector<DataArray> mesh_arrays(const CellMesh& mesh) {
-  std::vector<DataArray> arrays;
-  arrays.push_back({"zone", 1, group_of_cells(mesh, mesh.zones)});
-  arrays.push_back({"region", 1, group_of_cells(mesh, mesh.regions)});
-  arrays.push_back({"patch_of_face", 6, flattened(patch_of_faces(mesh))});
-  return arrays;
-}
-
 void add_names(vtkUnstructuredGrid* grid, const CellMesh& mesh) {
   add_strings(grid, names_of("patch_names", mesh.patches));
   add_strings(grid, names_of("zone_names", mesh.zones));
@@ -161,7 +166,7 @@ void CellList::reserve(std::size_t cells, std::size_t points_per_cell) {
   connectivity_.reserve(cells * points_per_cell);
 }
 
-std::string vtp_bytes(const PolyData& data) {
+void write_vtp(std::ostream& stream, const PolyData& data) {
   vtkNew<vtkPolyData> poly;
   poly->SetPoints(to_vtk(data.points));
   poly->SetVerts(to_vtk(data.vertices));
@@ -174,43 +179,35 @@ std::string vtp_bytes(const PolyData& data) {
       poly->GetPointData()->SetActiveTCoords(data.texture_coordinates.c_str()) < 0)
     throw Error(ExitCode::internal, "no point array " + data.texture_coordinates);
   for (const FieldStrings& strings : data.strings) add_strings(poly, strings);
-  return xml_bytes<vtkXMLPolyDataWriter>(poly);
+  write_xml<vtkXMLPolyDataWriter>(stream, poly);
 }
 
-std::string vtu_bytes(const CellMesh& mesh, const std::vector<DataArray>& cell_arrays,
-                      const std::vector<DataArray>& point_arrays) {
+void write_vtu(std::ostream& stream, const CellMesh& mesh,
+               const std::vector<DataArray>& cell_arrays,
+               const std::vector<DataArray>& point_arrays) {
   vtkNew<vtkUnstructuredGrid> grid;
   grid->SetPoints(to_vtk(mesh.points));
   set_cells(grid, mesh);
-  const std::vector<DataArray> of_mesh = mesh_arrays(mesh);
-  add_arrays(grid->GetCellData(), of_mesh, mesh.shape.size());
+  const std::vector<DataArray> groups{{"zone", 1, group_of_cells(mesh, mesh.zones)},
+                                      {"region", 1, group_of_cells(mesh, mesh.regions)}};
+  const CellFaceValues patches = patch_of_faces(mesh);
+  add_arrays(grid->GetCellData(), groups, mesh.shape.size());
+  grid->GetCellData()->AddArray(to_vtk(patches, "patch_of_face"));
   add_names(grid, mesh);
   add_arrays(grid->GetCellData(), cell_arrays, mesh.shape.size());
   add_arrays(grid->GetPointData(), point_arrays, mesh.points.size());
-  return xml_bytes<vtkXMLUnstructuredGridWriter>(grid);
-}
-
-std::string vtu_bytes(const HexMesh& mesh, const std::vector<DataArray>& cell_arrays,
-                      const std::vector<DataArray>& point_arrays) {
-  std::vector<DataArray> arrays{{"layer", 1, mesh.layer}, {"quad", 1, mesh.quad}};
-  arrays.insert(arrays.end(), cell_arrays.begin(), cell_arrays.end());
-  return vtu_bytes(to_cell_mesh(mesh), arrays, point_arrays);
+  write_xml<vtkXMLUnstructuredGridWriter>(stream, grid);
 }
 
 void write_vtp(const std::filesystem::path& path, const PolyData& data) {
-  write_output_file(path, vtp_bytes(data));
-}
-
-void write_vtu(const std::filesystem::path& path, const HexMesh& mesh,
-               const std::vector<DataArray>& cell_arrays,
-               const std::vector<DataArray>& point_arrays) {
-  write_output_file(path, vtu_bytes(mesh, cell_arrays, point_arrays));
+  write_output_file(path, [&](std::ostream& stream) { write_vtp(stream, data); });
 }
 
 void write_vtu(const std::filesystem::path& path, const CellMesh& mesh,
                const std::vector<DataArray>& cell_arrays,
                const std::vector<DataArray>& point_arrays) {
-  write_output_file(path, vtu_bytes(mesh, cell_arrays, point_arrays));
+  write_output_file(
+      path, [&](std::ostream& stream) { write_vtu(stream, mesh, cell_arrays, point_arrays); });
 }
 
 }  // namespace hexwall

@@ -1,12 +1,12 @@
 #pragma once
 
 #include <filesystem>
+#include <iosfwd>
 #include <string>
 #include <variant>
 #include <vector>
 
-#include "hex/hex_mesh.h"
-#include "lumen/cell_mesh.h"
+#include "hex/cell_mesh.h"
 #include "surface/triangle_surface.h"
 
 namespace hexwall {
@@ -66,29 +66,20 @@ struct PolyData {
 /// \throw Error(ExitCode::internal) if an array's length does not fit the mesh.
 void write_vtp(const std::filesystem::path& path, const PolyData& data);
 
-/// Writes a VTK XML unstructured grid with the given arrays and those of `HexMesh`: `layer`,
-/// `quad`, `zone`, `region`, `patch_of_face`, and the texts `patch_names`, `zone_names` and
-/// `region_names`; exporters/README.md says what they mean. Lengths are in the unit of `mesh`. Same
-/// input, same bytes. \throw WriteError if the file cannot be written; nothing half-written stays
-/// behind. \throw Error(ExitCode::internal) if an array's length does not fit the mesh, or the
-/// patches or zones do not.
-void write_vtu(const std::filesystem::path& path, const HexMesh& mesh,
-               const std::vector<DataArray>& cell_arrays = {},
-               const std::vector<DataArray>& point_arrays = {});
-
-/// The same for a mesh of mixed cells, without `layer` and `quad`. `patch_of_face` is in the order
-/// of `faces_of` in lumen/cell_faces.h.
+/// Writes a VTK XML unstructured grid with the given arrays and those of the mesh: `zone`,
+/// `region`, `patch_of_face` (in the order of `faces_of` in hex/cell_faces.h), and the texts
+/// `patch_names`, `zone_names` and `region_names`; exporters/README.md says what they mean. Lengths
+/// are in the unit of `mesh`. Same input, same bytes. \throw WriteError if the file cannot be
+/// written; nothing half-written stays behind. \throw Error(ExitCode::internal) if an array's
+/// length does not fit the mesh, or the patches or zones do not.
 void write_vtu(const std::filesystem::path& path, const CellMesh& mesh,
                const std::vector<DataArray>& cell_arrays = {},
                const std::vector<DataArray>& point_arrays = {});
 
-/// The bytes that `write_vtp` writes.
-std::string vtp_bytes(const PolyData& data);
-
-/// The bytes that `write_vtu` writes.
-std::string vtu_bytes(const CellMesh& mesh, const std::vector<DataArray>& cell_arrays = {},
-                      const std::vector<DataArray>& point_arrays = {});
-std::string vtu_bytes(const HexMesh& mesh, const std::vector<DataArray>& cell_arrays = {},
-                      const std::vector<DataArray>& point_arrays = {});
+/// The same into a stream that is at its beginning and allows to go back; see `ByteSource`.
+void write_vtp(std::ostream& stream, const PolyData& data);
+void write_vtu(std::ostream& stream, const CellMesh& mesh,
+               const std::vector<DataArray>& cell_arrays = {},
+               const std::vector<DataArray>& point_arrays = {});
 
 }  // namespace hexwall

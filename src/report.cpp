@@ -181,10 +181,10 @@ Json side_json(const PipelineResult& r, const ThicknessResult& side) {
 
 Json wall_json(const PipelineResult& r) {
   Json zones = Json::array();
-  for (const CellZone& zone : r.wall.zones) {
-    zones.push_back({{"name", zone.name}, {"hexes", zone.hexes.size()}});
+  for (const CellGroup& zone : r.wall.zones) {
+    zones.push_back({{"name", zone.name}, {"hexes", zone.cells.size()}});
   }
-  Json json = {{"hexes", r.wall.hexes.size()},
+  Json json = {{"hexes", r.wall.cells()},
                {"vertices", r.wall.points.size()},
                {"layers", r.layers.layers()},
                {"zones", std::move(zones)},
@@ -298,7 +298,7 @@ std::string summary(const PipelineResult& r, const std::string& units) {
                    r.quads.quads.size(),
                    counted(r.quad_quality.irregular, "irregular vertex", "irregular vertices"),
                    r.quad_quality.angle_stddev_deg, r.quad_quality.min_scaled_jacobian));
-  line("hexes", fmt::format("{} in {} layers, min scaled Jacobian {:.3f}", r.wall.hexes.size(),
+  line("hexes", fmt::format("{} in {} layers, min scaled Jacobian {:.3f}", r.wall.cells(),
                             r.layers.layers(), r.min_wall_scaled_jacobian));
   if (r.outward) line("wall", side_text(*r.outward, units));
   if (r.inward) line("lumen", side_text(*r.inward, units));

@@ -17,7 +17,6 @@
 #include "exporters/report_page.h"
 #include "exporters/results.h"
 #include "exporters/vtk_files.h"
-#include "lumen/cell_faces.h"
 #include "output_folder.h"
 #include "pictures.h"
 #include "view_script.h"
@@ -43,11 +42,9 @@ void write_results(const MeshOptions& c, const PipelineResult& result, const fs:
                    PageParts& parts) {
   std::vector<std::function<void()>> tasks;
   const double metres = metres_per_unit(c.surface.input.units);
-  const CellMesh cells = to_cell_mesh(result.wall);
   for (const Format& format : hex_mesh_formats()) {  // the largest ones first
     if (!writes(c, format.name)) continue;
-    tasks.emplace_back(
-        [&, metres] { format.write(folder / format.output, result, cells, metres); });
+    tasks.emplace_back([&, metres] { format.write(folder / format.output, result, metres); });
   }
   tasks.emplace_back([&] { write_vtp(folder / "surface.vtp", surface_data(result)); });
   tasks.emplace_back([&] { write_vtp(folder / "quads.vtp", quad_data(result)); });

@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "lumen/cell_mesh.h"
+#include "hex/cell_mesh.h"
 #include "surface/triangle_surface.h"
 
 namespace hexwall {

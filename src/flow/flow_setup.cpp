@@ -10,7 +10,7 @@
 
 #include "core/errors.h"
 #include "flow/cross_section.h"
-#include "lumen/cell_faces.h"
+#include "hex/cell_faces.h"
 
 namespace hexwall {
 namespace {

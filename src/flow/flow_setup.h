@@ -7,7 +7,8 @@
 
 #include "flow/blood.h"
 #include "flow/waveform.h"
-#include "lumen/cell_mesh.h"
+#include "hex/cell_mesh.h"
+#include "lumen/lumen_opening.h"
 
 namespace hexwall {
 

@@ -20,6 +20,7 @@ class HexBuilder {
 
   HexMesh run(const std::vector<Vec3>& directions) {
     add_points(directions);
+    reserve_hexes();
     for (const std::string& name : plan_.zone_names) mesh_.zones.push_back({name, {}});
     if (has_inner_) mesh_.regions.push_back({"lumen", {}});
     if (has_outer_) mesh_.regions.push_back({"wall", {}});
@@ -45,26 +46,33 @@ class HexBuilder {
     }
   }
 
+  void reserve_hexes() {
+    const std::size_t hexes = plan_.layers() * quads_.quads.size();
+    mesh_.reserve(hexes, 8 * hexes);
+    mesh_.layer.reserve(hexes);
+    mesh_.quad.reserve(hexes);
+  }
+
   void add_layer(int layer) {
-    CellZone& zone = mesh_.zones[plan_.zone[layer]];
-    CellZone& region = layer < plan_.inner ? mesh_.regions.front() : mesh_.regions.back();
+    CellGroup& zone = mesh_.zones[plan_.zone[layer]];
+    CellGroup& region = layer < plan_.inner ? mesh_.regions.front() : mesh_.regions.back();
     for (int q = 0; q < quad_count_; ++q) {
       std::array<int, 8> corners;
       for (int k = 0; k < 4; ++k) {
         corners[k] = at(quads_.quads[q][k], layer);
         corners[k + 4] = at(quads_.quads[q][k], layer + 1);
       }
-      zone.hexes.push_back(hex(q, layer));
-      region.hexes.push_back(hex(q, layer));
-      mesh_.hexes.push_back(corners);
+      zone.cells.push_back(hex(q, layer));
+      region.cells.push_back(hex(q, layer));
+      mesh_.add(CellShape::hexahedron, corners);
       mesh_.layer.push_back(layer);
       mesh_.quad.push_back(q);
     }
   }
 
   // The quads at a level, as faces of the layer below them, or else turned over.
-  std::vector<BoundaryFace> faces_at(int level, int layer) const {
-    std::vector<BoundaryFace> faces;
+  std::vector<CellFace> faces_at(int level, int layer) const {
+    std::vector<CellFace> faces;
     faces.reserve(quads_.quads.size());
     for (int q = 0; q < quad_count_; ++q) {
       std::array<int, 4> face;
@@ -91,7 +99,7 @@ class HexBuilder {
 
   void add_rings(const std::vector<QuadSide>& sides, const std::string& suffix, int first,
                  int last) {
-    std::vector<BoundaryPatch> rings;
+    std::vector<CellPatch> rings;
     for (const std::string& name : loop_names_) rings.push_back({name + suffix, false, {}});
     for (const QuadSide& side : sides) {
       const auto [a, b] = ends_of(quads_, side);
@@ -100,11 +108,11 @@ class HexBuilder {
             {{at(a, i), at(b, i), at(b, i + 1), at(a, i + 1)}, hex(side.quad, i)});
       }
     }
-    for (BoundaryPatch& ring : rings) mesh_.patches.push_back(std::move(ring));
+    for (CellPatch& ring : rings) mesh_.patches.push_back(std::move(ring));
   }
 
   void add_interface() {
-    mesh_.face_zones.push_back({"interface", faces_at(plan_.inner, plan_.inner - 1)});
+    mesh_.face_zones.push_back({"interface", false, faces_at(plan_.inner, plan_.inner - 1)});
   }
 
   const QuadMesh& quads_;

@@ -33,12 +33,12 @@ double scaled_jacobian(const std::array<Vec3, 8>& p) {
 
 std::array<Vec3, 8> corners_of(const HexMesh& mesh, int hex) {
   std::array<Vec3, 8> corners;
-  for (int k = 0; k < 8; ++k) corners[k] = mesh.points[mesh.hexes[hex][k]];
+  for (int k = 0; k < 8; ++k) corners[k] = mesh.points[mesh.connectivity[8 * hex + k]];
   return corners;
 }
 
 std::vector<double> scaled_jacobians(const HexMesh& mesh) {
-  std::vector<double> result(mesh.hexes.size());
+  std::vector<double> result(mesh.shape.size());
   parallel_for(result.size(), [&](std::size_t h) {
     result[h] = scaled_jacobian(corners_of(mesh, static_cast<int>(h)));
   });

@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
+#include "hex/cell_faces.h"
 #include "hex/cell_geometry.h"
-#include "lumen/cell_faces.h"
-#include "lumen/cell_mesh.h"
+#include "hex/cell_mesh.h"
 
 namespace hexwall {
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "lumen/cell_mesh.h"
+#include "hex/cell_mesh.h"
 
 namespace hexwall {
 

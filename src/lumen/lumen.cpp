@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 
 #include "core/errors.h"
-#include "lumen/cell_faces.h"
+#include "hex/cell_faces.h"
 #include "lumen/core_surface.h"
 #include "lumen/reconnect.h"
 #include "lumen/tetgen.h"
@@ -52,7 +52,7 @@ class Assembler {
       : r_(r), core_(core), tets_(tets) {}
 
   CellMesh hybrid() {
-    mesh_ = to_cell_mesh(r_.wall);
+    mesh_ = static_cast<const CellMesh&>(r_.wall);
     first_own_ = static_cast<int>(r_.quads.points.size());
     first_added_ = static_cast<int>(mesh_.points.size());
     add_points();

@@ -5,9 +5,10 @@
 #include <vector>
 
 #include "core/progress.h"
-#include "lumen/cell_mesh.h"
+#include "hex/cell_mesh.h"
 #include "lumen/cell_quality.h"
 #include "lumen/improve.h"
+#include "lumen/lumen_opening.h"
 #include "pipeline.h"
 
 namespace hexwall {

@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "lumen/cell_mesh.h"
+#include "hex/cell_mesh.h"
 
 namespace hexwall {
 

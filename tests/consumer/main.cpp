@@ -29,7 +29,7 @@ void mesh(const std::filesystem::path& output) {
         std::cout << index + 1 << "/" << count << " " << stage << "\n";
       });
   const auto report = make_report(result, {"memory", "mm", 0, 0, &prepared, {}});
-  std::cout << result.wall.hexes.size() << " hexes, least scaled Jacobian "
+  std::cout << result.wall.cells() << " hexes, least scaled Jacobian "
             << report["wall"]["min_scaled_jacobian"] << "\n";
   hexwall::write_gmsh(output, result.wall);
 

@@ -12,7 +12,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "lumen/cell_faces.h"
+#include "hex/cell_faces.h"
 #include "support/block_mesh.h"
 #include "support/temporary_folder.h"
 
@@ -78,14 +78,14 @@ TEST(Abaqus, NumbersNodesAndElementsFromOne) {
       EXPECT_NEAR(std::stod(nodes[i][d + 1]), x, std::abs(x) < 1e-9 ? 1e-25 : 0.0);
     }
   }
-  for (const CellZone& zone : mesh.zones) {
+  for (const CellGroup& zone : mesh.zones) {
     const auto elements = data_of(deck, "*ELEMENT,TYPE=C3D8,ELSET=" + zone.name);
-    ASSERT_EQ(elements.size(), zone.hexes.size());
+    ASSERT_EQ(elements.size(), zone.cells.size());
     for (std::size_t i = 0; i < elements.size(); ++i) {
       ASSERT_EQ(elements[i].size(), 9U);
-      EXPECT_EQ(std::stoi(elements[i][0]), zone.hexes[i] + 1);
+      EXPECT_EQ(std::stoi(elements[i][0]), zone.cells[i] + 1);
       for (int k = 0; k < 8; ++k)
-        EXPECT_EQ(std::stoi(elements[i][k + 1]), mesh.hexes[zone.hexes[i]][k] + 1);
+        EXPECT_EQ(std::stoi(elements[i][k + 1]), mesh.corners(zone.cells[i])[k] + 1);
     }
   }
 }
@@ -98,7 +98,7 @@ std::multiset<std::multiset<int>> surface_of(const Deck& deck, const HexMesh& me
     EXPECT_EQ(row.at(1).at(0), 'S');
     std::multiset<int> face;
     for (const int corner : kFaces.at(std::stoi(row[1].substr(1)) - 1))
-      face.insert(mesh.hexes.at(std::stoi(row[0]) - 1)[corner - 1]);
+      face.insert(mesh.corners(std::stoi(row[0]) - 1)[corner - 1]);
     faces.insert(face);
   }
   return faces;
@@ -109,17 +109,17 @@ TEST(Abaqus, HasRegionsAndTheirInterface) {
   const HexMesh mesh = block_mesh({12, 4, 5, 1, 1.5, 3, 2});
   write_abaqus(folder / "a.inp", mesh);
   const Deck deck = read_deck(folder / "a.inp");
-  for (const CellZone& region : mesh.regions) {
+  for (const CellGroup& region : mesh.regions) {
     std::vector<int> hexes;
     for (const auto& row : data_of(deck, "*ELSET,ELSET=" + region.name + ",GENERATE")) {
       for (int hex = std::stoi(row.at(0)); hex <= std::stoi(row.at(1)); ++hex) {
         hexes.push_back(hex - 1);
       }
     }
-    EXPECT_EQ(hexes, region.hexes);
+    EXPECT_EQ(hexes, region.cells);
   }
   std::multiset<std::multiset<int>> expected;
-  for (const BoundaryFace& face : mesh.face_zones[0].faces) {
+  for (const CellFace& face : mesh.face_zones[0].faces) {
     expected.insert({face.vertices.begin(), face.vertices.end()});
   }
   EXPECT_EQ(surface_of(deck, mesh, "interface"), expected);
@@ -127,19 +127,16 @@ TEST(Abaqus, HasRegionsAndTheirInterface) {
 
 TEST(Abaqus, NumbersTheSixFacesOfAHex) {
   const TemporaryFolder folder;
-  HexMesh mesh{
-      {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}},
-      {{0, 1, 2, 3, 4, 5, 6, 7}},
-      {0},
-      {0},
-      {},
-      {{"all", {0}}}};
+  HexMesh mesh;
+  mesh.points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
+                 {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
+  mesh.add(CellShape::hexahedron, std::array{0, 1, 2, 3, 4, 5, 6, 7});
+  mesh.zones = {{"all", {0}}};
   for (int i = 0; i < 6; ++i)
-    mesh.patches.push_back(
-        {"face_" + std::to_string(i), false, {{cell_face(to_cell_mesh(mesh), 0, i), 0}}});
+    mesh.patches.push_back({"face_" + std::to_string(i), false, {{cell_face(mesh, 0, i), 0}}});
   write_abaqus(folder / "a.inp", mesh);
   const Deck deck = read_deck(folder / "a.inp");
-  for (const BoundaryPatch& patch : mesh.patches)
+  for (const CellPatch& patch : mesh.patches)
     EXPECT_THAT(surface_of(deck, mesh, patch.name), ElementsAre(sorted(patch.faces[0].vertices)));
 }
 
@@ -148,10 +145,10 @@ TEST(Abaqus, SurfacesAndNodeSetsAreThePatches) {
   const HexMesh mesh = block_mesh({});
   write_abaqus(folder / "a.inp", mesh);
   const Deck deck = read_deck(folder / "a.inp");
-  for (const BoundaryPatch& patch : mesh.patches) {
+  for (const CellPatch& patch : mesh.patches) {
     std::multiset<std::multiset<int>> expected;
     std::set<int> expected_nodes, nodes;
-    for (const BoundaryFace& face : patch.faces) {
+    for (const CellFace& face : patch.faces) {
       expected.insert(sorted(face.vertices));
       expected_nodes.insert(face.vertices.begin(), face.vertices.end());
     }

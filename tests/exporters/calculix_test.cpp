@@ -61,7 +61,7 @@ std::string pressurised_cylinder(const HexMesh& mesh, const std::vector<ElasticL
       kPressure);
   for (const char* wall : {"inner_wall", "outer_wall"})
     deck += fmt::format("*NODE PRINT, NSET={}, GLOBAL=YES\nU\n", wall);
-  for (const CellZone& zone : mesh.zones)
+  for (const CellGroup& zone : mesh.zones)
     deck += fmt::format("*EL PRINT, ELSET={0}\nCOORD\n*EL PRINT, ELSET={0}\nS\n", zone.name);
   return deck + "*END STEP\n";
 }
@@ -109,7 +109,7 @@ class CalculixCylinder : public testing::Test {
     available_ = result.available;
     if (!available_) return;
     ASSERT_TRUE(result.ok) << result.log;
-    ASSERT_EQ(result.means.size(), mesh.hexes.size());
+    ASSERT_EQ(result.means.size(), mesh.shape.size());
     ASSERT_EQ(result.displacement.size(), 2 * mesh.points.size() / (mesh.zones.size() + 1));
     errors_ = errors_of(mesh, result, LameCylinder(kInnerRadius, materials, kPressure));
     RecordProperty("u_r", fmt::format("{:.5f}", errors_.displacement));
@@ -160,9 +160,9 @@ TEST_F(CalculixCylinder, IsMoreExactWithIncompatibleModes) {
 }
 
 /// Integral of the outward normal.
-Vec3 area_vector(const HexMesh& mesh, const BoundaryPatch& patch) {
+Vec3 area_vector(const HexMesh& mesh, const CellPatch& patch) {
   Vec3 sum = Vec3::Zero();
-  for (const BoundaryFace& face : patch.faces) {
+  for (const CellFace& face : patch.faces) {
     const auto& v = face.vertices;
     const Vec3 diagonal_1 = mesh.points[v[2]] - mesh.points[v[0]];
     const Vec3 diagonal_2 = mesh.points[v[3]] - mesh.points[v[1]];
@@ -187,7 +187,7 @@ TEST(CalculixBifurcation, PressureOnEachPatchGivesPressureTimesArea) {
   options.outward->layers = 2;
   const HexMesh mesh = run_pipeline(generate_shape(Shape::bifurcation, 0.25), options).wall;
   write_abaqus(folder / "wall.inp", mesh);
-  for (const BoundaryPatch& patch : mesh.patches) {
+  for (const CellPatch& patch : mesh.patches) {
     const std::string held = held_against(patch.name);
     const CalculixResult result = run_calculix(
         folder.path(),
@@ -248,8 +248,10 @@ TEST(CalculixMesh, ReadsSmallCoordinates) {
   const TemporaryFolder folder;
   HexMesh mesh = block_mesh({7, 3, 2, 1, 1.5, 3});
   for (Vec3& p : mesh.points) p *= -1e-5 / 3;
-  for (auto& hex : mesh.hexes)  // the sign has turned them inside out
-    for (int i = 0; i < 4; ++i) std::swap(hex[i], hex[i + 4]);
+  for (int hex = 0; hex < mesh.cells(); ++hex) {  // the sign has turned them inside out
+    const auto first = mesh.connectivity.begin() + mesh.offset[hex];
+    std::swap_ranges(first, first + 4, first + 4);
+  }
   for (auto& patch : mesh.patches)
     for (auto& face : patch.faces) std::swap(face.vertices[1], face.vertices[3]);
   write_abaqus(folder / "wall.inp", mesh);

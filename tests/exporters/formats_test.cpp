@@ -83,7 +83,7 @@ TEST_P(Formats, RefuseAFaceThatIsListedTwice) {
 
 TEST_P(Formats, RefuseAHexWithoutAZone) {
   HexMesh mesh = block_mesh({});
-  mesh.zones[1].hexes.pop_back();
+  mesh.zones[1].cells.pop_back();
   expect_error(ExitCode::internal, {"in no zone"}, [&] { write("mesh", mesh); });
   EXPECT_FALSE(fs::exists(folder_ / "mesh"));
 }

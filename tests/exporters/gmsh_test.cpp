@@ -96,11 +96,11 @@ Groups read_version_2(const std::filesystem::path& path, const HexMesh& mesh) {
 
 Groups groups_of(const HexMesh& mesh) {
   Groups groups;
-  for (const CellZone& zone : mesh.zones)
-    for (const int hex : zone.hexes)
-      groups[{3, zone.name}].push_back({mesh.hexes[hex].begin(), mesh.hexes[hex].end()});
-  for (const BoundaryPatch& patch : mesh.patches)
-    for (const BoundaryFace& face : patch.faces)
+  for (const CellGroup& zone : mesh.zones)
+    for (const int hex : zone.cells)
+      groups[{3, zone.name}].push_back({mesh.corners(hex).begin(), mesh.corners(hex).end()});
+  for (const CellPatch& patch : mesh.patches)
+    for (const CellFace& face : patch.faces)
       groups[{2, patch.name}].push_back({face.vertices.begin(), face.vertices.end()});
   return groups;
 }
@@ -205,8 +205,8 @@ TEST(GmshFile, EverySurfaceBoundsOneVolumeAndLiesInItsBox) {
   std::map<int, int> bounded;
   for (const Entity& volume : volumes) {
     Eigen::AlignedBox3d box;
-    for (const int hex : mesh.zones.at(volume.group - 1).hexes)
-      for (const int v : mesh.hexes[hex]) box.extend(mesh.points[v]);
+    for (const int hex : mesh.zones.at(volume.group - 1).cells)
+      for (const int v : mesh.corners(hex)) box.extend(mesh.points[v]);
     EXPECT_EQ(volume.box.min(), box.min());
     EXPECT_EQ(volume.box.max(), box.max());
     for (const int tag : volume.boundary) {

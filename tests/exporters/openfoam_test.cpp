@@ -13,7 +13,7 @@
 #include <gtest/gtest.h>
 
 #include "core/errors.h"
-#include "lumen/cell_faces.h"
+#include "hex/cell_faces.h"
 #include "support/block_mesh.h"
 #include "support/check_mesh.h"
 #include "support/temporary_folder.h"
@@ -145,12 +145,12 @@ TEST_P(OpenFoam, CellsAreClosedAndFillTheTube) {
   const HexMesh hexes = block_mesh(GetParam());
   write_openfoam(folder.path(), hexes, 1);
   const PolyMesh mesh = read_poly_mesh(folder / "constant/polyMesh");
-  std::vector<Vec3> sums(hexes.hexes.size(), Vec3::Zero());
+  std::vector<Vec3> sums(hexes.shape.size(), Vec3::Zero());
   for_each_side(mesh, [&](int cell, std::size_t f, double sign) {
     sums[cell] += sign * area_vector(mesh, f);
   });
   for (const Vec3& s : sums) EXPECT_LT(s.norm(), 1e-14);
-  const auto volumes = cell_volumes(mesh, hexes.hexes.size());
+  const auto volumes = cell_volumes(mesh, hexes.shape.size());
   EXPECT_GT(*std::min_element(volumes.begin(), volumes.end()), 0);
   EXPECT_NEAR(sum(volumes), volume(GetParam()), 1e-12 * volume(GetParam()));
 }
@@ -193,7 +193,7 @@ TEST(OpenFoamFiles, TwoRegionsHaveAnInterfaceAndSets) {
   write_openfoam(folder.path(), hexes, 1);
   const auto poly_mesh = folder / "constant/polyMesh";
   const PolyMesh mesh = read_poly_mesh(poly_mesh);
-  std::vector<bool> in_lumen(hexes.hexes.size(), false);
+  std::vector<bool> in_lumen(hexes.shape.size(), false);
   for (const int cell : read_labels(poly_mesh / "sets/lumen")) in_lumen.at(cell) = true;
   EXPECT_EQ(std::count(in_lumen.begin(), in_lumen.end(), true), 12 * 4 * 2);
   const std::vector<int> wall = read_labels(poly_mesh / "sets/wall");
@@ -271,7 +271,7 @@ TEST(OpenFoamFiles, AnEmptyPatchIsWritten) {
 TEST(OpenFoamFiles, CheckMeshRefusesAnInvertedHex) {
   const TemporaryFolder folder;
   HexMesh mesh = block_mesh({});
-  const auto& hex = mesh.hexes.front();
+  const auto hex = mesh.corners(0);
   std::swap(mesh.points[hex[0]], mesh.points[hex[4]]);
   write_openfoam(folder.path(), mesh, 1);
   const CheckMeshResult result = check_mesh(folder.path());
@@ -304,7 +304,7 @@ TEST(OpenFoamFiles, AFailedRunLeavesNoMesh) {
 /// Spoils a mesh in one way, and a part of the message that tells of it.
 struct Spoiled {
   std::string name;
-  void (*spoil)(HexMesh&);
+  void (*spoil)(CellMesh&);
   std::string message;
 };
 
@@ -312,7 +312,7 @@ class InconsistentMesh : public testing::TestWithParam<Spoiled> {};
 
 TEST_P(InconsistentMesh, IsAnInternalErrorAndNothingIsWritten) {
   const TemporaryFolder folder;
-  HexMesh mesh = block_mesh({});
+  CellMesh mesh = block_mesh({});
   GetParam().spoil(mesh);
   try {
     write_openfoam(folder / "case", mesh, 1);
@@ -324,43 +324,56 @@ TEST_P(InconsistentMesh, IsAnInternalErrorAndNothingIsWritten) {
   EXPECT_FALSE(std::filesystem::exists(folder / "case"));
 }
 
+/// Hexes in one zone, and no patches.
+CellMesh mesh_of_hexes(const std::vector<Vec3>& points,
+                       const std::vector<std::span<const int>>& hexes) {
+  CellMesh mesh;
+  mesh.points = points;
+  mesh.zones = {{"z", {}}};
+  for (const auto& hex : hexes) {
+    mesh.zones[0].cells.push_back(mesh.cells());
+    mesh.add(CellShape::hexahedron, hex);
+  }
+  return mesh;
+}
+
 const std::vector<Spoiled> kSpoiled{
     {"ThreeHexesAtAFace",
-     [](HexMesh& m) {
+     [](CellMesh& m) {
        // The first hex again, but with the last one's vertices where its neighbour has none.
-       const auto [first, second, last] = std::array{m.hexes[0], m.hexes[1], m.hexes.back()};
-       std::array<int, 8> third = first;
+       const auto first = m.corners(0), second = m.corners(1), last = m.corners(m.cells() - 1);
+       std::vector<int> third(first.begin(), first.end());
        for (int k = 0; k < 8; ++k) {
          if (std::find(second.begin(), second.end(), first[k]) == second.end()) third[k] = last[k];
        }
-       m = {m.points, {first, second, third}, {0, 0, 0}, {0, 0, 0}, {}, {{"z", {0, 1, 2}}}};
+       m = mesh_of_hexes(m.points, {first, second, third});
      },
      "third cell"},
     {"TwoHexesOnOneSide",
-     [](HexMesh& m) {
-       m = {m.points, {m.hexes[0], m.hexes[0]}, {0, 0}, {0, 0}, {}, {{"z", {0, 1}}}};
+     [](CellMesh& m) {
+       m = mesh_of_hexes(m.points, {m.corners(0), m.corners(0)});
      },
      "same side"},
-    {"NoSuchVertex", [](HexMesh& m) { m.hexes[3][5] = 100000; }, "vertex 100000"},
-    {"FaceInNoPatch", [](HexMesh& m) { m.patches[0].faces.pop_back(); }, "in no patch"},
-    {"FaceInTwoPatches", [](HexMesh& m) { m.patches[1].faces.push_back(m.patches[0].faces[0]); },
+    {"NoSuchVertex", [](CellMesh& m) { m.connectivity[8 * 3 + 5] = 100000; }, "vertex 100000"},
+    {"FaceInNoPatch", [](CellMesh& m) { m.patches[0].faces.pop_back(); }, "in no patch"},
+    {"FaceInTwoPatches", [](CellMesh& m) { m.patches[1].faces.push_back(m.patches[0].faces[0]); },
      "listed twice"},
     {"InternalFaceInAPatch",
-     [](HexMesh& m) {
-       m.patches[0].faces.push_back({cell_face(to_cell_mesh(m), 0, 5), 0});
+     [](CellMesh& m) {
+       m.patches[0].faces.push_back({cell_face(m, 0, 5), 0});
      },
      "not on the boundary"},
-    {"FaceOfAnotherHex", [](HexMesh& m) { m.patches[0].faces[0].hex = 30; }, "does not have"},
-    {"FaceOfNoHex", [](HexMesh& m) { m.patches[0].faces[0].hex = -1; }, "names cell -1"},
+    {"FaceOfAnotherHex", [](CellMesh& m) { m.patches[0].faces[0].cell = 30; }, "does not have"},
+    {"FaceOfNoHex", [](CellMesh& m) { m.patches[0].faces[0].cell = -1; }, "names cell -1"},
     {"FaceSeenFromInside",
-     [](HexMesh& m) {
+     [](CellMesh& m) {
        auto& v = m.patches[0].faces[0].vertices;
        std::swap(v[0], v[2]);
      },
      "orientation"},
-    {"HexInNoZone", [](HexMesh& m) { m.zones[1].hexes.pop_back(); }, "in no zone"},
-    {"HexInTwoZones", [](HexMesh& m) { m.zones[1].hexes.push_back(0); }, "already"},
-    {"PatchNameWithABlank", [](HexMesh& m) { m.patches[2].name = "a b"; }, "'a b'"},
+    {"HexInNoZone", [](CellMesh& m) { m.zones[1].cells.pop_back(); }, "in no zone"},
+    {"HexInTwoZones", [](CellMesh& m) { m.zones[1].cells.push_back(0); }, "already"},
+    {"PatchNameWithABlank", [](CellMesh& m) { m.patches[2].name = "a b"; }, "'a b'"},
 };
 
 INSTANTIATE_TEST_SUITE_P(Spoiled, InconsistentMesh, testing::ValuesIn(kSpoiled),

@@ -111,14 +111,14 @@ class SvMultiPhysics : public testing::Test {
     EXPECT_GT(diagonal_1.cross(diagonal_2).dot(middle - centre), 0);
   }
 
-  Surface expected(const std::function<bool(const BoundaryPatch&)>& is_wanted) const {
+  Surface expected(const std::function<bool(const CellPatch&)>& is_wanted) const {
     Surface surface;
     for (std::size_t p = 0; p < mesh_.patches.size(); ++p) {
       if (!is_wanted(mesh_.patches[p])) continue;
-      for (const BoundaryFace& f : mesh_.patches[p].faces) {
+      for (const CellFace& f : mesh_.patches[p].faces) {
         Face face(f.vertices.begin(), f.vertices.end());
         std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
-        surface.hex_of[face] = f.hex;
+        surface.hex_of[face] = f.cell;
         surface.patch_of[face] = static_cast<int>(p);
       }
     }
@@ -126,7 +126,7 @@ class SvMultiPhysics : public testing::Test {
   }
 
   void expect_surface(const std::string& name,
-                      const std::function<bool(const BoundaryPatch&)>& is_wanted) const {
+                      const std::function<bool(const CellPatch&)>& is_wanted) const {
     const Surface surface = read_surface(name);
     const Surface wanted = expected(is_wanted);
     EXPECT_FALSE(wanted.hex_of.empty());
@@ -135,11 +135,11 @@ class SvMultiPhysics : public testing::Test {
   }
 
   void expect_all_surfaces() const {
-    for (const BoundaryPatch& patch : mesh_.patches)
+    for (const CellPatch& patch : mesh_.patches)
       expect_surface("mesh-surfaces/" + patch.name + ".vtp",
-                     [&](const BoundaryPatch& p) { return p.name == patch.name; });
-    expect_surface("mesh-complete.exterior.vtp", [](const BoundaryPatch&) { return true; });
-    expect_surface("walls_combined.vtp", [](const BoundaryPatch& p) { return p.is_wall; });
+                     [&](const CellPatch& p) { return p.name == patch.name; });
+    expect_surface("mesh-complete.exterior.vtp", [](const CellPatch&) { return true; });
+    expect_surface("walls_combined.vtp", [](const CellPatch& p) { return p.is_wall; });
   }
 
   TemporaryFolder folder_;
@@ -148,7 +148,7 @@ class SvMultiPhysics : public testing::Test {
 };
 
 TEST_F(SvMultiPhysics, VolumeIsNumberedFromOne) {
-  ASSERT_EQ(volume_->GetNumberOfCells(), static_cast<vtkIdType>(mesh_.hexes.size()));
+  ASSERT_EQ(volume_->GetNumberOfCells(), static_cast<vtkIdType>(mesh_.shape.size()));
   const auto nodes = ints(volume_->GetPointData(), "GlobalNodeID");
   const auto elements = ints(volume_->GetCellData(), "GlobalElementID");
   for (std::size_t i = 0; i < nodes.size(); ++i) {
@@ -157,7 +157,7 @@ TEST_F(SvMultiPhysics, VolumeIsNumberedFromOne) {
   }
   for (std::size_t i = 0; i < elements.size(); ++i) {
     EXPECT_EQ(elements[i], static_cast<int>(i) + 1);
-    const auto& hex = mesh_.hexes.at(i);
+    const auto hex = mesh_.corners(static_cast<int>(i));
     EXPECT_EQ(cell_of(volume_, static_cast<vtkIdType>(i)),
               std::vector<int>(hex.begin(), hex.end()));
   }
@@ -165,9 +165,9 @@ TEST_F(SvMultiPhysics, VolumeIsNumberedFromOne) {
 
 TEST_F(SvMultiPhysics, ZonesAreRegionsAndDomains) {
   const auto regions = ints(volume_->GetCellData(), "ModelRegionID");
-  ASSERT_EQ(regions.size(), mesh_.hexes.size());
+  ASSERT_EQ(regions.size(), mesh_.shape.size());
   for (std::size_t z = 0; z < mesh_.zones.size(); ++z)
-    for (const int hex : mesh_.zones[z].hexes) EXPECT_EQ(regions[hex], static_cast<int>(z) + 1);
+    for (const int hex : mesh_.zones[z].cells) EXPECT_EQ(regions[hex], static_cast<int>(z) + 1);
   std::istringstream file(bytes_of(this->file("domain_ids.dat")));
   std::vector<int> domains;
   for (int domain; file >> domain;) domains.push_back(domain);
@@ -195,7 +195,7 @@ TEST_F(SvMultiPhysicsOfVessel, SurfacesAreThePatches) {
 TEST(SvMultiPhysicsFiles, EmptyPatchesAreLeftOut) {
   const TemporaryFolder folder;
   HexMesh mesh = block_mesh({});
-  for (BoundaryPatch& patch : mesh.patches) patch.is_wall = false;
+  for (CellPatch& patch : mesh.patches) patch.is_wall = false;
   mesh.patches.push_back({"nothing", true, {}});
   write_svmultiphysics(folder.path(), mesh);
   EXPECT_TRUE(std::filesystem::exists(folder / "mesh-surfaces/loop_1.vtp"));

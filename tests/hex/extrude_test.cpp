@@ -282,19 +282,19 @@ TEST(Extrude, JoinsBothSidesAtTheSurface) {
   EXPECT_TRUE(verdict.faults.none()) << verdict.faults.text();
   EXPECT_NEAR(verdict.hex_volume, ring_volume(0.75, 1.5), 1e-12);
   std::vector<std::string> names;
-  for (const BoundaryPatch& patch : mesh.patches) names.push_back(patch.name);
+  for (const CellPatch& patch : mesh.patches) names.push_back(patch.name);
   EXPECT_EQ(names, (std::vector<std::string>{"core", "outer_wall", "a", "b", "a_wall", "b_wall"}));
   ASSERT_EQ(mesh.regions.size(), 2U);
-  EXPECT_EQ(mesh.regions[0].hexes.size(), 3 * t.quads.quads.size());
-  EXPECT_EQ(mesh.regions[1].hexes.size(), 2 * t.quads.quads.size());
+  EXPECT_EQ(mesh.regions[0].cells.size(), 3 * t.quads.quads.size());
+  EXPECT_EQ(mesh.regions[1].cells.size(), 2 * t.quads.quads.size());
   ASSERT_EQ(mesh.face_zones.size(), 1U);
   ASSERT_EQ(mesh.face_zones[0].faces.size(), t.quads.quads.size());
   for (std::size_t q = 0; q < t.quads.quads.size(); ++q) {
-    const BoundaryFace& face = mesh.face_zones[0].faces[q];
+    const CellFace& face = mesh.face_zones[0].faces[q];
     for (int k = 0; k < 4; ++k) {
       EXPECT_EQ(mesh.points[face.vertices[k]], t.quads.points[t.quads.quads[q][k]]);
     }
-    EXPECT_LT(mesh.layer[face.hex], 3);
+    EXPECT_LT(mesh.layer[face.cell], 3);
   }
 }
 

@@ -63,7 +63,7 @@ TEST(WallOfCylinder, HasFlatEndRings) {
   for (std::size_t loop = 0; loop < 2; ++loop) {
     const double z = r.openings[loop].plane.center.z();
     EXPECT_TRUE(std::abs(z) < 1e-9 || std::abs(z - 5.0) < 1e-9) << z;
-    for (const BoundaryFace& face : r.wall.patches[loop + 2].faces) {
+    for (const CellFace& face : r.wall.patches[loop + 2].faces) {
       for (const int v : face.vertices) EXPECT_NEAR(r.wall.points[v].z(), z, 1e-9);
     }
   }
@@ -102,9 +102,9 @@ TEST_P(Growth, IsTheRatioOfSuccessiveLayers) {
   expect_valid_wall(r);
   const HexMesh& mesh = r.wall;
   std::vector<std::array<double, 4>> heights(r.quads.quads.size());
-  for (std::size_t h = 0; h < mesh.hexes.size(); ++h) {
+  for (int h = 0; h < mesh.cells(); ++h) {
     heights[mesh.quad[h]][mesh.layer[h]] =
-        (mesh.points[mesh.hexes[h][4]] - mesh.points[mesh.hexes[h][0]]).norm();
+        (mesh.points[mesh.corners(h)[4]] - mesh.points[mesh.corners(h)[0]]).norm();
   }
   for (const auto& height : heights) {
     for (int k = 1; k < 4; ++k) ASSERT_NEAR(height[k] / height[k - 1], GetParam(), 1e-9);
@@ -122,7 +122,7 @@ TEST(WallOfBifurcation, HasFlatEndRings) {
     const LoopPlane& plane = r.openings[loop].plane;
     ASSERT_TRUE(plane.is_planar());
     EXPECT_LT(plane.deviation, tolerance);
-    for (const BoundaryFace& face : r.wall.patches[loop + 2].faces) {
+    for (const CellFace& face : r.wall.patches[loop + 2].faces) {
       for (const int v : face.vertices) {
         EXPECT_NEAR((r.wall.points[v] - plane.center).dot(plane.normal), 0.0, tolerance);
       }

@@ -100,7 +100,7 @@ TEST(FoamMetrics, AgreeWithCheckMesh) {
   if (!check.available) GTEST_SKIP() << "checkMesh is not installed";
   const Log log(check.log);
   const MeshQuality q = mesh_quality(read_mesh(folder.path()));
-  EXPECT_EQ(q.count[static_cast<std::size_t>(ElementShape::hexahedron)], mesh.hexes.size());
+  EXPECT_EQ(q.count[static_cast<std::size_t>(ElementShape::hexahedron)], mesh.shape.size());
   expect_close(foam(q, "nonOrthoAngle").max, log.after("non-orthogonality Max:"));
   expect_close(foam(q, "nonOrthoAngle").mean, log.after("non-orthogonality Max: [^ ]+ average:"));
   expect_close(foam(q, "skewness").max, log.after("Max skewness ="));

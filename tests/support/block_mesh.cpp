@@ -30,7 +30,7 @@ void add_points(const BlockTube& t, HexMesh& mesh) {
 
 void add_boundary_faces(const BlockTube& t, const std::array<int, 8>& h, int j, int k,
                         HexMesh& mesh) {
-  const int hex = static_cast<int>(mesh.hexes.size()) - 1;
+  const int hex = mesh.cells() - 1;
   if (k == 0) mesh.patches[0].faces.push_back({{h[0], h[3], h[2], h[1]}, hex});
   if (k == t.layers - 1) mesh.patches[1].faces.push_back({{h[4], h[5], h[6], h[7]}, hex});
   if (j == 0) mesh.patches[2].faces.push_back({{h[0], h[1], h[5], h[4]}, hex});
@@ -40,14 +40,15 @@ void add_boundary_faces(const BlockTube& t, const std::array<int, 8>& h, int j, 
 void add_hex(const BlockTube& t, int i, int j, int k, HexMesh& mesh) {
   const auto a = quad_at(t, i, j, k);
   const auto b = quad_at(t, i, j, k + 1);
-  mesh.hexes.push_back({a[0], a[1], a[2], a[3], b[0], b[1], b[2], b[3]});
+  const int hex = mesh.cells();
+  const std::array corners{a[0], a[1], a[2], a[3], b[0], b[1], b[2], b[3]};
+  mesh.add(CellShape::hexahedron, corners);
   mesh.layer.push_back(k);
   mesh.quad.push_back(j * t.around + i);
-  const int hex = static_cast<int>(mesh.hexes.size()) - 1;
-  mesh.zones[k].hexes.push_back(hex);
-  (k < t.inner_layers ? mesh.regions.front() : mesh.regions.back()).hexes.push_back(hex);
+  mesh.zones[k].cells.push_back(hex);
+  (k < t.inner_layers ? mesh.regions.front() : mesh.regions.back()).cells.push_back(hex);
   if (k == t.inner_layers - 1) mesh.face_zones[0].faces.push_back({b, hex});
-  add_boundary_faces(t, mesh.hexes.back(), j, k, mesh);
+  add_boundary_faces(t, corners, j, k, mesh);
 }
 
 }  // namespace
@@ -61,7 +62,7 @@ HexMesh block_mesh(const BlockTube& tube) {
   for (int k = 0; k < tube.layers; ++k) mesh.zones.push_back({"layer_" + std::to_string(k), {}});
   if (tube.inner_layers > 0) {
     mesh.regions.push_back({"lumen", {}});
-    mesh.face_zones.push_back({"interface", {}});
+    mesh.face_zones.push_back({"interface", false, {}});
   }
   mesh.regions.push_back({"wall", {}});
   add_points(tube, mesh);

@@ -2,7 +2,8 @@
 
 #include <vector>
 
-#include "lumen/cell_mesh.h"
+#include "hex/cell_mesh.h"
+#include "lumen/lumen_opening.h"
 
 namespace hexwall {
 

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "support/block_mesh.h"
+#include "support/verify_wall.h"
 
 namespace hexwall::test {
 namespace {
@@ -91,11 +92,8 @@ class VerifyHexes : public testing::Test {
   VerifyHexes() : tube_{16, 5, 3, 1.0, 1.5, 3.0} {
     const HexMesh mesh = block_mesh(tube_);
     points_ = mesh.points;
-    hexes_ = mesh.hexes;
-    for (const BoundaryPatch& patch : mesh.patches) {
-      patches_.emplace_back();
-      for (const BoundaryFace& face : patch.faces) patches_.back().push_back(face.vertices);
-    }
+    hexes_ = hexes_of(mesh);
+    patches_ = faces_of_patches(mesh);
   }
   HexVerdict verdict() const { return verify_hexes(points_, hexes_, patches_); }
 

@@ -11,24 +11,15 @@
 namespace hexwall::test {
 namespace {
 
-std::vector<Quads> faces_of_patches(const HexMesh& mesh) {
-  std::vector<Quads> patches;
-  for (const BoundaryPatch& patch : mesh.patches) {
-    patches.emplace_back();
-    for (const BoundaryFace& face : patch.faces) patches.back().push_back(face.vertices);
-  }
-  return patches;
-}
-
 void expect_layers(const PipelineResult& r) {
   const HexMesh& mesh = r.wall;
   const std::size_t quads = r.quads.quads.size();
   const std::size_t layers = r.layers.layers();
-  ASSERT_EQ(mesh.hexes.size(), quads * layers);
-  ASSERT_EQ(mesh.quad.size(), mesh.hexes.size());
-  ASSERT_EQ(mesh.layer.size(), mesh.hexes.size());
-  std::vector<int> uses(mesh.hexes.size(), 0);
-  for (std::size_t h = 0; h < mesh.hexes.size(); ++h) {
+  ASSERT_EQ(mesh.shape.size(), quads * layers);
+  ASSERT_EQ(mesh.quad.size(), mesh.shape.size());
+  ASSERT_EQ(mesh.layer.size(), mesh.shape.size());
+  std::vector<int> uses(mesh.shape.size(), 0);
+  for (std::size_t h = 0; h < mesh.shape.size(); ++h) {
     ASSERT_TRUE(mesh.quad[h] >= 0 && mesh.layer[h] >= 0);
     ++uses.at(mesh.quad[h] * layers + mesh.layer[h]);
   }
@@ -39,7 +30,7 @@ void expect_layers(const PipelineResult& r) {
 void expect_rings(const PipelineResult& r, std::size_t first, int layers,
                   const std::string& suffix) {
   for (std::size_t i = 0; i < r.openings.size(); ++i) {
-    const BoundaryPatch& patch = r.wall.patches.at(first + i);
+    const CellPatch& patch = r.wall.patches.at(first + i);
     EXPECT_EQ(patch.name, r.openings[i].name + suffix);
     EXPECT_FALSE(patch.is_wall);
     EXPECT_EQ(std::count(r.quads.loop_of_vertex.begin(), r.quads.loop_of_vertex.end(),
@@ -50,7 +41,7 @@ void expect_rings(const PipelineResult& r, std::size_t first, int layers,
 }
 
 void expect_patches(const PipelineResult& r) {
-  const std::vector<BoundaryPatch>& patches = r.wall.patches;
+  const std::vector<CellPatch>& patches = r.wall.patches;
   const bool both = r.inward && r.outward;
   ASSERT_EQ(patches.size(), 2 + r.openings.size() * (both ? 2 : 1));
   EXPECT_EQ(patches[0].name, r.inward ? "core" : "inner_wall");
@@ -62,9 +53,9 @@ void expect_patches(const PipelineResult& r) {
     expect_rings(r, both ? 2 + r.openings.size() : 2, r.layers.layers() - r.layers.inner,
                  both ? "_wall" : "");
   }
-  for (const BoundaryPatch& patch : patches) {
-    for (const BoundaryFace& face : patch.faces) {
-      const auto& hex = r.wall.hexes.at(face.hex);
+  for (const CellPatch& patch : patches) {
+    for (const CellFace& face : patch.faces) {
+      const auto hex = r.wall.corners(face.cell);
       for (const int v : face.vertices) {
         ASSERT_NE(std::find(hex.begin(), hex.end(), v), hex.end()) << "a face of " << patch.name;
       }
@@ -74,11 +65,11 @@ void expect_patches(const PipelineResult& r) {
 
 void expect_zones(const PipelineResult& r) {
   const HexMesh& mesh = r.wall;
-  std::vector<int> uses(mesh.hexes.size(), 0);
+  std::vector<int> uses(mesh.shape.size(), 0);
   for (std::size_t z = 0; z < mesh.zones.size(); ++z) {
     EXPECT_EQ(mesh.zones[z].name, r.layers.zone_names.at(z));
-    EXPECT_FALSE(mesh.zones[z].hexes.empty()) << "a layer is missing";
-    for (const int h : mesh.zones[z].hexes) {
+    EXPECT_FALSE(mesh.zones[z].cells.empty()) << "a layer is missing";
+    for (const int h : mesh.zones[z].cells) {
       ++uses.at(h);
       ASSERT_EQ(r.layers.zone.at(mesh.layer.at(h)), static_cast<int>(z));
     }
@@ -142,12 +133,12 @@ double rounding_of_layers(const PipelineResult& r) {
 /// The faces on the surface's level are the quads, corner by corner.
 void expect_quads_on_the_surface(const PipelineResult& r) {
   const HexMesh& mesh = r.wall;
-  for (std::size_t h = 0; h < mesh.hexes.size(); ++h) {
+  for (int h = 0; h < mesh.cells(); ++h) {
     const bool above = mesh.layer[h] == r.layers.inner;
     const bool below = mesh.layer[h] == r.layers.inner - 1;
     if (!above && !below) continue;
     for (int k = 0; k < 4; ++k) {
-      ASSERT_EQ(mesh.points[mesh.hexes[h][above ? k : k + 4]],
+      ASSERT_EQ(mesh.points[mesh.corners(h)[above ? k : k + 4]],
                 r.quads.points[r.quads.quads[mesh.quad[h]][k]]);
     }
   }
@@ -155,8 +146,25 @@ void expect_quads_on_the_surface(const PipelineResult& r) {
 
 }  // namespace
 
+Hexes hexes_of(const HexMesh& mesh) {
+  Hexes hexes(mesh.shape.size());
+  for (std::size_t h = 0; h < hexes.size(); ++h) {
+    std::copy_n(mesh.connectivity.data() + 8 * h, 8, hexes[h].data());
+  }
+  return hexes;
+}
+
+std::vector<Quads> faces_of_patches(const HexMesh& mesh) {
+  std::vector<Quads> patches;
+  for (const CellPatch& patch : mesh.patches) {
+    patches.emplace_back();
+    for (const CellFace& face : patch.faces) patches.back().push_back(face.vertices);
+  }
+  return patches;
+}
+
 HexVerdict verify_wall(const HexMesh& mesh) {
-  return verify_hexes(mesh.points, mesh.hexes, faces_of_patches(mesh));
+  return verify_hexes(mesh.points, hexes_of(mesh), faces_of_patches(mesh));
 }
 
 void expect_valid_wall(const PipelineResult& r) {
@@ -180,8 +188,8 @@ void expect_no_self_intersection(const HexMesh& mesh) {
   for (const int diagonal : {0, 1}) {
     TriangleSurface skin;
     skin.points = mesh.points;
-    for (const BoundaryPatch& patch : mesh.patches) {
-      for (const BoundaryFace& face : patch.faces) {
+    for (const CellPatch& patch : mesh.patches) {
+      for (const CellFace& face : patch.faces) {
         const auto at = [&](int k) { return face.vertices[(k + diagonal) % 4]; };
         skin.triangles.push_back({at(0), at(1), at(2)});
         skin.triangles.push_back({at(0), at(2), at(3)});

@@ -6,6 +6,10 @@
 
 namespace hexwall::test {
 
+/// Corners of the hexes, and of the faces of each patch, as `verify_hexes` takes them.
+Hexes hexes_of(const HexMesh& mesh);
+std::vector<Quads> faces_of_patches(const HexMesh& mesh);
+
 /// `verify_hexes` on a mesh of the pipeline's.
 HexVerdict verify_wall(const HexMesh& mesh);
 

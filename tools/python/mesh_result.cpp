@@ -12,7 +12,7 @@
 #include "core/errors.h"
 #include "exporters/formats.h"
 #include "exporters/results.h"
-#include "lumen/cell_faces.h"
+#include "hex/cell_faces.h"
 #include "output_folder.h"
 
 namespace hexwall::python {
@@ -45,6 +45,10 @@ py::array view(const std::vector<std::array<int, N>>& rows, const py::handle& ow
   return view(rows.empty() ? nullptr : rows[0].data(), rows.size(), N, owner);
 }
 
+py::array hexes_view(const HexMesh& mesh, const py::handle& owner) {
+  return view(mesh.connectivity.data(), mesh.shape.size(), 8, owner);
+}
+
 // A new array, of which Python is the owner.
 py::array rows_array(const std::vector<int>& values, std::size_t rows, std::size_t columns) {
   py::array_t<int> array({static_cast<py::ssize_t>(rows), static_cast<py::ssize_t>(columns)});
@@ -67,17 +71,17 @@ py::dict dict_of(const std::vector<DataArray>& arrays, const py::handle& owner) 
   return dict;
 }
 
-std::vector<std::string> names_of(const std::vector<CellZone>& zones) {
+std::vector<std::string> names_of(const std::vector<CellGroup>& zones) {
   std::vector<std::string> names;
-  for (const CellZone& zone : zones) names.push_back(zone.name);
+  for (const CellGroup& zone : zones) names.push_back(zone.name);
   return names;
 }
 
-py::dict patch_faces(const HexMesh& mesh) {
+py::dict patch_faces(const CellMesh& mesh) {
   py::dict dict;
-  for (const BoundaryPatch& patch : mesh.patches) {
+  for (const CellPatch& patch : mesh.patches) {
     std::vector<int> values;
-    for (const BoundaryFace& face : patch.faces) {
+    for (const CellFace& face : patch.faces) {
       values.insert(values.end(), face.vertices.begin(), face.vertices.end());
     }
     dict[patch.name.c_str()] = rows_array(values, patch.faces.size(), 4);
@@ -85,9 +89,9 @@ py::dict patch_faces(const HexMesh& mesh) {
   return dict;
 }
 
-std::vector<std::string> patch_names(const HexMesh& mesh) {
+std::vector<std::string> patch_names(const CellMesh& mesh) {
   std::vector<std::string> names;
-  for (const BoundaryPatch& patch : mesh.patches) names.push_back(patch.name);
+  for (const CellPatch& patch : mesh.patches) names.push_back(patch.name);
   return names;
 }
 
@@ -122,11 +126,10 @@ MeshResult::MeshResult(MeshOptions options, SurfaceRun run)
       point_arrays_(wall_point_arrays(run_.result)),
       quads_(quad_data(run_.result)) {
   run_.context.prepared = &run_.prepared;
-  const CellMesh cells = to_cell_mesh(wall());
-  cell_arrays_.push_back({"zone", 1, group_of_cells(cells, cells.zones)});
-  cell_arrays_.push_back({"region", 1, group_of_cells(cells, cells.regions)});
+  cell_arrays_.push_back({"zone", 1, group_of_cells(wall(), wall().zones)});
+  cell_arrays_.push_back({"region", 1, group_of_cells(wall(), wall().regions)});
   std::vector<int> patches;
-  for (const auto& of_hex : patch_of_faces(cells)) {
+  for (const auto& of_hex : patch_of_faces(wall())) {
     patches.insert(patches.end(), of_hex.begin(), of_hex.end());
   }
   cell_arrays_.push_back({"patch_of_face", 6, std::move(patches)});
@@ -161,7 +164,7 @@ void bind_mesh_result(py::module_& module) {
       .def_property_readonly(
           "points", with_owner([](const R& r, Self s) { return points_view(r.wall().points, s); }))
       .def_property_readonly("hexes",
-                             with_owner([](const R& r, Self s) { return view(r.wall().hexes, s); }))
+                             with_owner([](const R& r, Self s) { return hexes_view(r.wall(), s); }))
       .def_property_readonly(
           "cell_data", with_owner([](const R& r, Self s) { return dict_of(r.cell_arrays(), s); }))
       .def_property_readonly(

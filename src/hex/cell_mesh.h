@@ -55,21 +55,16 @@ struct CellMesh {
   std::span<const int> corners(int cell) const {
     return {connectivity.data() + offset[cell], connectivity.data() + offset[cell + 1]};
   }
+  void reserve(std::size_t cells, std::size_t all_corners) {
+    shape.reserve(cells);
+    connectivity.reserve(all_corners);
+    offset.reserve(cells + 1);
+  }
   void add(CellShape kind, std::span<const int> vertices) {
     shape.push_back(kind);
     connectivity.insert(connectivity.end(), vertices.begin(), vertices.end());
     offset.push_back(static_cast<int>(connectivity.size()));
   }
-};
-
-/// An opening of the lumen: a planar or nearly planar patch of the mesh.
-struct LumenOpening {
-  std::string patch;  ///< its name
-  bool inlet = false;
-  Vec3 center;  ///< centroid of its area
-  Vec3 normal;  ///< unit, out of the lumen
-  double area = 0.0;
-  double radius = 0.0;  ///< of the circle of equal area
 };
 
 }  // namespace hexwall

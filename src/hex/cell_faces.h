@@ -4,8 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "hex/hex_mesh.h"
-#include "lumen/cell_mesh.h"
+#include "hex/cell_mesh.h"
 
 namespace hexwall {
 
@@ -74,9 +73,6 @@ struct SharedFaces {
 /// \throw Error(ExitCode::internal) if the mesh does not conform, or the patches are no partition
 /// of the boundary faces.
 SharedFaces shared_faces(const CellMesh& mesh);
-
-/// The same mesh; all numbers are kept.
-CellMesh to_cell_mesh(const HexMesh& mesh);
 
 /// The cells of one of the regions as a mesh of its own, with those points, patches and zones that
 /// it has. Faces of a face zone that border the region become a patch, `REGION_to_OTHER`, of type

@@ -1,4 +1,4 @@
-#include "lumen/cell_faces.h"
+#include "hex/cell_faces.h"
 
 #include <algorithm>
 #include <limits>
@@ -141,20 +141,6 @@ void append_internal_faces(const CellMesh& mesh, const CellFaceValues& neighbour
               });
   }
   result.internal = static_cast<int>(result.faces.size());
-}
-
-CellPatch to_cell_patch(const std::string& name, bool is_wall,
-                        const std::vector<BoundaryFace>& faces) {
-  CellPatch patch{name, is_wall, {}};
-  patch.faces.reserve(faces.size());
-  for (const BoundaryFace& face : faces) patch.faces.push_back({face.vertices, face.hex});
-  return patch;
-}
-
-std::vector<CellGroup> to_groups(const std::vector<CellZone>& zones) {
-  std::vector<CellGroup> groups;
-  for (const CellZone& zone : zones) groups.push_back({zone.name, zone.hexes});
-  return groups;
 }
 
 /// Takes over the cells of one region, with numbers of their own.
@@ -341,20 +327,6 @@ SharedFaces shared_faces(const CellMesh& mesh) {
   for (const std::vector<LocalFace>& faces : faces_of_patches(mesh, neighbours))
     for (const auto& [cell, local] : faces)
       result.faces.push_back({cell_face(mesh, cell, local), cell, local, -1});
-  return result;
-}
-
-CellMesh to_cell_mesh(const HexMesh& mesh) {
-  CellMesh result;
-  result.points = mesh.points;
-  result.connectivity.reserve(8 * mesh.hexes.size());
-  for (const auto& hex : mesh.hexes) result.add(CellShape::hexahedron, hex);
-  for (const BoundaryPatch& patch : mesh.patches)
-    result.patches.push_back(to_cell_patch(patch.name, patch.is_wall, patch.faces));
-  for (const FaceZone& zone : mesh.face_zones)
-    result.face_zones.push_back(to_cell_patch(zone.name, false, zone.faces));
-  result.zones = to_groups(mesh.zones);
-  result.regions = to_groups(mesh.regions);
   return result;
 }
 
