@@ -18,9 +18,11 @@ constexpr double limit_determinant = 0.008;  // checkMesh divides by 8, the dete
 
 // A quad between cells whose centres are so near its corners' planes can't be split into face tets.
 constexpr double limit_split = 0.01;
-// Below this it grows by `split_slope` times what is lacking.
-constexpr double least_split = 0.001;
-constexpr double split_slope = 1e6;
+// A cell is concave where a face's centre is so near another one's plane.
+constexpr double limit_depth = 0.01;
+// Below this share both grow by `margin_slope` times what is lacking.
+constexpr double least_margin = 0.001;
+constexpr double margin_slope = 1e6;
 
 double square(double x) {
   return x * x;
@@ -34,15 +36,19 @@ double sixth_power(double x) {
   return square(x * x * x);
 }
 
+// Of a margin that has to be positive.
+double of_margin(double margin, double limit) {
+  return square(limit / std::max(margin, least_margin)) +
+         margin_slope * std::max(0.0, least_margin - margin);
+}
+
 // Of a quad that has to be split into triangles which both centres see from their own side
 // (polyMeshTetDecomposition).
 double of_split(std::span<const Vec3> face, const Vec3& owner, const Vec3& other) {
   const Face quad{face[0], face[1], face[2], face[3]};
   const double height =
       std::max(split_height(quad, 0, &owner, &other), split_height(quad, 1, &owner, &other));
-  const double share = height / (other - owner).norm();
-  return square(limit_split / std::max(share, least_split)) +
-         split_slope * std::max(0.0, least_split - share);
+  return of_margin(height / (other - owner).norm(), limit_split);
 }
 
 }  // namespace
@@ -78,7 +84,20 @@ double of_cell(std::span<const Vec3> areas) {
     sum += area.norm();
   }
   const double mean = sum / static_cast<double>(areas.size());
-  return square(1.5 * limit_determinant * sixth_power(mean) / tensor.determinant());
+  return square(square(1.5 * limit_determinant * sixth_power(mean) / tensor.determinant()));
+}
+
+double of_depth(std::span<const FaceGeometry> faces) {
+  double least = 1.0;
+  for (const FaceGeometry& face : faces) {
+    for (const FaceGeometry& other : faces) {
+      if (&face == &other) continue;
+      const Vec3 d = face.center - other.center;
+      const double scale = std::sqrt(d.squaredNorm() * face.area.squaredNorm());
+      least = std::min(least, scale > 0.0 ? d.dot(face.area) / scale : 0.0);
+    }
+  }
+  return of_margin(least, limit_depth);
 }
 
 }  // namespace hexwall::cost

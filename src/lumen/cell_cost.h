@@ -30,5 +30,9 @@ double of_boundary_face(std::span<const Vec3> face, const FaceGeometry& geometry
 /// is small for flat cells. \param areas of the internal faces; the sign does not matter.
 double of_cell(std::span<const Vec3> areas);
 
+/// Of a cell that may be concave, by how far the centres of its faces lie inside the planes of the
+/// others (primitiveMesh::checkConcaveCells). \param faces all, with areas pointing out.
+double of_depth(std::span<const FaceGeometry> faces);
+
 }  // namespace cost
 }  // namespace hexwall

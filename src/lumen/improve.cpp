@@ -92,7 +92,16 @@ class Improver {
       if (faces_[f].neighbour < 0) continue;
       areas[count++] = face_geometry(FacePoints(mesh_.points, faces_[f].vertices).span()).area;
     }
-    return cost::of_cell(std::span(areas).first(count));
+    const double cost = cost::of_cell(std::span(areas).first(count));
+    return mesh_.shape[c] == CellShape::pyramid ? cost + depth_cost(c) : cost;
+  }
+
+  double depth_cost(int pyramid) const {
+    std::array<FaceGeometry, 5> faces;
+    for (int i = 0; i < 5; ++i) {
+      faces[i] = face_geometry(FacePoints(mesh_.points, cell_face(mesh_, pyramid, i)).span());
+    }
+    return cost::of_depth(faces);
   }
 
   void mark(int c, std::vector<char>& marked) const {

@@ -1,7 +1,9 @@
 #include "surface/file_content.h"
 
+#include <array>
+#include <cstddef>
+#include <cstdint>
 #include <fstream>
-#include <iterator>
 #include <system_error>
 
 #include "core/errors.h"
@@ -21,8 +23,16 @@ void check_file(const fs::path& path) {
 
 std::string content_of(const fs::path& path) {
   std::ifstream file(path, std::ios::binary);
-  std::string content{std::istreambuf_iterator<char>(file), {}};
-  if (!file) throw ReadError("the file could not be read");
+  std::string content;
+  std::error_code unknown;
+  const std::uintmax_t size = fs::file_size(path, unknown);
+  if (!unknown) content.reserve(size + 1);
+  std::array<char, std::size_t{64} << 10> piece;
+  while (file) {
+    file.read(piece.data(), piece.size());
+    content.append(piece.data(), static_cast<std::size_t>(file.gcount()));
+  }
+  if (!file.eof()) throw ReadError("the file could not be read");
   return content;
 }
 
