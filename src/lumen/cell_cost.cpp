@@ -15,6 +15,7 @@ constexpr double limit_skewness = 4.0;
 constexpr double limit_weight = 0.05;
 constexpr double limit_volume_ratio = 0.01;
 constexpr double limit_determinant = 0.008;  // checkMesh divides by 8, the determinant of a cube
+constexpr double least_determinant = 0.0085;
 
 // A quad between cells whose centres are so near its corners' planes can't be split into face tets.
 constexpr double limit_split = 0.01;
@@ -84,7 +85,9 @@ double of_cell(std::span<const Vec3> areas) {
     sum += area.norm();
   }
   const double mean = sum / static_cast<double>(areas.size());
-  return square(square(1.5 * limit_determinant * sixth_power(mean) / tensor.determinant()));
+  const double share = tensor.determinant() / sixth_power(mean);
+  return square(1.5 * limit_determinant / share) +
+         margin_slope * std::max(0.0, least_determinant - share);
 }
 
 double of_depth(std::span<const FaceGeometry> faces) {

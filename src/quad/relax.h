@@ -31,6 +31,6 @@ struct QuadSize {
 /// \param size #Q target of each quad.
 RelaxResult relax(QuadMesh& mesh, std::vector<int>& face, const std::vector<QuadSize>& size,
                   const TriangleSurface& surface, const Connectivity& connectivity,
-                  int iterations = 45);
+                  int iterations = 60);
 
 }  // namespace hexwall
