@@ -98,7 +98,7 @@ Vec3 cell_center(const VectorLanes& low, const VectorLanes& high) {
   };
   const FaceGeometry bottom = level(low);
   const FaceGeometry top = level(high);
-  const Vec3 middle = (4.0 * sides.center.mean() + bottom.center + top.center) / 6.0;
+  Vec3 middle = (4.0 * sides.center.mean() + bottom.center + top.center) / 6.0;
   const Lanes pyramids = dot(sides.area, sides.center - VectorLanes(middle));
   const double below = -bottom.area.dot(bottom.center - middle);
   const double above = top.area.dot(top.center - middle);
