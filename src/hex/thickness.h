@@ -48,11 +48,16 @@ class ThicknessFitter {
   /// itself, the surface or an end ring, with a clearance of 5 % of the thickness; and, down to a
   /// fifth, where a face would be more skewed than OpenFOAM's checkMesh allows. Reductions spread
   /// smoothly: thickness changes along the surface by a slope of 0.3 at most, more only where that
-  /// much was asked. No layer is ever dropped. \param directions #V unit vectors, outward. \param
-  /// shares #V no more than these shares of `shape`'s, of an earlier fit for instance; 1 if it is
-  /// empty. \throws MeshingError, naming the place, if more is asked than half of the surface's
-  /// diagonal, or layers so thin that they are lost in the rounding of coordinates; if no positive
-  /// thickness gives positive Jacobians, or none keeps the skin from meeting itself.
+  /// much was asked. No layer is ever dropped.
+  ///
+  /// \param directions #V unit vectors, outward.
+  ///
+  /// \param shares #V no more than these shares of `shape`'s, of an earlier fit for instance; 1 if
+  /// it is empty.
+  ///
+  /// \throws MeshingError, naming the place, if more is asked than half of the surface's diagonal,
+  /// or layers so thin that they are lost in the rounding of coordinates; if no positive thickness
+  /// gives positive Jacobians, or none keeps the skin from meeting itself.
   ThicknessResult fit(const QuadMesh& quads, const std::vector<Vec3>& directions,
                       const WallShape& shape, const std::vector<double>& shares = {});
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <limits>
 
@@ -69,13 +68,9 @@ inline VectorLanes cross(const VectorLanes& a, const VectorLanes& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/// One over the lengths, which are taken as of a tiny one for a vector of none.
-inline Lanes inverse_norms(const VectorLanes& a) {
-  return dot(a, a).max(std::numeric_limits<double>::min()).sqrt().inverse();
-}
-
+/// Of length 1; a vector of no length stays as it is.
 inline VectorLanes normalized(const VectorLanes& a) {
-  return inverse_norms(a) * a;
+  return dot(a, a).max(std::numeric_limits<double>::min()).sqrt().inverse() * a;
 }
 
 }  // namespace hexwall

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <numbers>
 #include <sstream>
 #include <string>
 
@@ -55,6 +56,28 @@ TEST(CaseCommand, FlowInABifurcationIsConserved) {
   const double developed = 4.0 * 3.45e-3 * flow.at("velocity").get<double>() / radius;
   EXPECT_GT(wall.at("wss").at("p50").get<double>(), 0.3 * developed);
   EXPECT_LT(wall.at("wss").at("p50").get<double>(), 1.5 * developed);
+}
+
+// Developed flow in a straight tube, against 4 mu Q / (pi R^3) with the R of the meshed inlet.
+TEST(CaseCommand, StressIsThatOfATubeOnTetrahedraToo) {
+  if (!test::is_installed("simpleFoam")) GTEST_SKIP() << "OpenFOAM is not installed";
+  const TemporaryFolder folder;
+  const std::string surface = (folder / "tube.vtp").string();
+  ASSERT_EQ(run_hexwall({"generate", "cylinder", "-o", surface, "--edge", "0.03"}).exit_code, 0);
+  const std::string run = (folder / "run").string();
+  const auto made = run_hexwall(
+      {"case", surface, "-o", run, "--mesh", "tet", "--size", "0.45", "--re", "100", "--quiet"});
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  ASSERT_EQ(test::run_case(run), "");
+  ASSERT_EQ(run_hexwall({"shear", run, "-o", (folder / "shear").string()}).exit_code, 0);
+  const nlohmann::json flow = json_in(folder / "run/report.json").at("flow");
+  const double radius = 0.5 * flow.at("inlet").at("diameter").get<double>();
+  const double exact = 4.0 * flow.at("fluid").at("viscosity").get<double>() *
+                       flow.at("flow_rate").get<double>() /
+                       (std::numbers::pi * std::pow(radius, 3));
+  const nlohmann::json wss = json_in(folder / "shear/shear.json").at("walls").at(0).at("wss");
+  EXPECT_NEAR(wss.at("mean").get<double>() / exact, 1.0, 0.03);
+  EXPECT_LT(wss.at("p95").get<double>() - wss.at("p5").get<double>(), 0.2 * exact);
 }
 
 std::size_t lines_that_begin(const std::string& text, const std::string& label) {
