@@ -131,15 +131,15 @@ double skewness_at_boundary(std::span<const Vec3> face, const FaceGeometry& geom
   return relative(to_face - d, face, geometry.center, least_extent_at_boundary * d.norm());
 }
 
-double split_height(const Face& face, int k, const Vec3* below, const Vec3* above) {
-  double least = std::numeric_limits<double>::max();
-  for (const int j : {k + 1, k + 2}) {
-    const Vec3& a = face[k];
-    const Vec3 normal = (face[j % 4] - a).cross(face[(j + 1) % 4] - a).normalized();
-    if (above != nullptr) least = std::min(least, (*above - a).dot(normal));
-    if (below != nullptr) least = std::min(least, (a - *below).dot(normal));
-  }
-  return least;
+double best_split_height(const VectorLanes& face, const Vec3* below, const Vec3* above) {
+  // Of each corner, the next one and the one opposite: the first and the third triangle lie on
+  // either side of one diagonal, the others of the other one.
+  const VectorLanes edge = next(face) - face;
+  const VectorLanes normal = normalized(cross(edge, next(edge)));
+  Lanes height = Lanes::Constant(std::numeric_limits<double>::max());
+  if (above != nullptr) height = height.min(dot(VectorLanes(*above) - face, normal));
+  if (below != nullptr) height = height.min(dot(face - VectorLanes(*below), normal));
+  return std::max(std::min(height[0], height[2]), std::min(height[1], height[3]));
 }
 
 }  // namespace hexwall

@@ -48,8 +48,8 @@ double skewness_between(std::span<const Vec3> face, const FaceGeometry& geometry
 double skewness_at_boundary(std::span<const Vec3> face, const FaceGeometry& geometry,
                             const Vec3& owner);
 
-/// Least height of `above` over, and of `below` under, the two triangles on either side of the
-/// diagonal of `face` from corner `k`. Null where there is no such point.
-double split_height(const Face& face, int k, const Vec3* below, const Vec3* above);
+/// Least height of `above` over, and of `below` under, the triangles of a face that is split by the
+/// better diagonal. Null where there is no such point.
+double best_split_height(const VectorLanes& face, const Vec3* below, const Vec3* above);
 
 }  // namespace hexwall

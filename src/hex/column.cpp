@@ -50,19 +50,6 @@ Lanes best_split_heights(const VectorLanes& a, const VectorLanes& b, const Vecto
   return one.max(other);
 }
 
-// Least height of `above` over, and of `below` under, the triangles of a face split by the better
-// diagonal. Null where there is no such point.
-double best_split_height(const VectorLanes& face, const Vec3* below, const Vec3* above) {
-  // Of each corner, the next one and the one opposite: the first and the third triangle lie on
-  // either side of one diagonal, the others of the other one.
-  const VectorLanes edge = next(face) - face;
-  const VectorLanes normal = normalized(cross(edge, next(edge)));
-  Lanes height = Lanes::Constant(std::numeric_limits<double>::max());
-  if (above != nullptr) height = height.min(dot(VectorLanes(*above) - face, normal));
-  if (below != nullptr) height = height.min(dot(face - VectorLanes(*below), normal));
-  return std::max(std::min(height[0], height[2]), std::min(height[1], height[3]));
-}
-
 }  // namespace
 
 std::vector<ColumnEdge> column_edges(const QuadMesh& quads, const std::vector<Vec3>& directions,

@@ -46,9 +46,8 @@ double of_margin(double margin, double limit) {
 // Of a quad that has to be split into triangles which both centres see from their own side
 // (polyMeshTetDecomposition).
 double of_split(std::span<const Vec3> face, const Vec3& owner, const Vec3& other) {
-  const Face quad{face[0], face[1], face[2], face[3]};
-  const double height =
-      std::max(split_height(quad, 0, &owner, &other), split_height(quad, 1, &owner, &other));
+  const VectorLanes quad({face[0], face[1], face[2], face[3]});
+  const double height = best_split_height(quad, &owner, &other);
   return of_margin(height / (other - owner).norm(), limit_split);
 }
 
