@@ -12,6 +12,7 @@ namespace hexwall {
 
 /// VTK's compressor to zlib's format, with libdeflate in the place of zlib: twice as fast. It keeps
 /// the name of VTK's class, which files carry. The level, 0 … 12, must be set before its first use.
+/// Blocks of which a sample hardly shrinks, as of most coordinates, are stored as they are.
 class ZlibCompressor : public vtkZLibDataCompressor {
  public:
   static ZlibCompressor* New();
@@ -23,10 +24,13 @@ class ZlibCompressor : public vtkZLibDataCompressor {
                              std::size_t space) override;
 
  private:
+  bool is_worthwhile(const unsigned char* from, std::size_t size) const;
+
   struct Free {
     void operator()(libdeflate_compressor* compressor) const;
   };
-  std::unique_ptr<libdeflate_compressor, Free> deflate_;
+  using Compressor = std::unique_ptr<libdeflate_compressor, Free>;
+  Compressor deflate_, store_;
 };
 
 // NOLINTEND(readability-identifier-naming)
