@@ -1,8 +1,7 @@
 #include "exporters/zlib_compressor.h"
 
-#include <vector>
-
 #include <libdeflate.h>
+#include <vector>
 
 #include <vtkObjectFactory.h>
 

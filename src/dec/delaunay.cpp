@@ -8,7 +8,6 @@
 
 #include "core/cancel.h"
 #include "core/tolerances.h"
-#include "surface/connectivity.h"
 #include "surface/editable_mesh.h"
 
 namespace hexwall {
@@ -16,11 +15,8 @@ namespace {
 
 class Refiner {
  public:
-  explicit Refiner(const TriangleSurface& input) : mesh_(input), loop_(input.points.size()) {
-    const Connectivity connectivity(static_cast<int>(input.points.size()), input.triangles);
-    for (int v = 0; v < connectivity.vertex_count(); ++v) {
-      loop_[v] = connectivity.loop_of_vertex(v);
-    }
+  Refiner(const TriangleSurface& input, const Connectivity& mesh) : mesh_(input, mesh) {
+    for (int v = 0; v < mesh.vertex_count(); ++v) loop_.push_back(mesh.loop_of_vertex(v));
     // Segmented surfaces need less than four splits a vertex; the floor is for coarse surfaces of
     // long triangles, which take hundreds. Past this the input is hopeless and the caller is told.
     split_budget_ = std::max<std::size_t>(8 * input.points.size(), 100000);
@@ -131,8 +127,8 @@ class Refiner {
 
 }  // namespace
 
-DelaunaySurface make_delaunay(const TriangleSurface& surface) {
-  return Refiner(surface).run();
+DelaunaySurface make_delaunay(const TriangleSurface& surface, const Connectivity& mesh) {
+  return Refiner(surface, mesh).run();
 }
 
 }  // namespace hexwall

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "surface/connectivity.h"
 #include "surface/triangle_surface.h"
 
 namespace hexwall {
@@ -25,7 +26,7 @@ struct DelaunaySurface {
 /// Interior edges that join two vertices of the same boundary loop are split as well: a function
 /// constant on the loop would be constant on triangles there.
 ///
-/// \pre `surface` is an oriented manifold without degenerate triangles.
-DelaunaySurface make_delaunay(const TriangleSurface& surface);
+/// \pre no triangle of `surface` is degenerate. \param mesh of `surface`.
+DelaunaySurface make_delaunay(const TriangleSurface& surface, const Connectivity& mesh);
 
 }  // namespace hexwall

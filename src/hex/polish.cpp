@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include <Eigen/Geometry>
 
-#include "core/parallel.h"
 #include "hex/column_search.h"
 #include "quad/quality.h"
 
@@ -34,11 +32,15 @@ double square(double x) {
 /// Brings the columns that fall short of the goals up to them.
 class Mender {
  public:
-  Mender(ColumnSearch& search, std::vector<char> is_hopeless)
+  /// \param columns #Q as they are.
+  Mender(ColumnSearch& search, std::span<const ColumnQuality> columns)
       : search_(search),
-        is_hopeless_(std::move(is_hopeless)),
-        shortfall_(search.quads().quads.size()),
+        is_hopeless_(hopeless_columns(columns)),
         step_(search.quads().points.size(), 1.0) {
+    shortfall_.reserve(columns.size());
+    for (int q = 0; q < static_cast<int>(columns.size()); ++q) {
+      shortfall_.push_back(shortfall(q, columns[q].scaled_jacobian, columns[q].face_split));
+    }
     for (int v = 0; v < static_cast<int>(step_.size()); ++v) {
       least_edge_.push_back(least_share_of_edge * search.shortest_edge(v));
     }
@@ -46,8 +48,6 @@ class Mender {
 
   /// \param moved #V set to 1 where a vertex is moved or turned.
   void run(std::vector<char>& moved, PolishResult& result) {
-    parallel_for(shortfall_.size(),
-                 [&](std::size_t q) { shortfall_[q] = shortfall(static_cast<int>(q)); });
     result.columns_before = count_short();
     for (int sweep = 0; sweep < most_sweeps; ++sweep) {
       bool changed = false;
@@ -71,13 +71,16 @@ class Mender {
         std::count_if(shortfall_.begin(), shortfall_.end(), [](double s) { return s > 0.0; }));
   }
 
+  double shortfall(int q, double hex_jacobian, double split) const {
+    return square(std::max(0.0, wanted_quad_jacobian - scaled_jacobian(search_.column(q).base))) +
+           square(std::max(0.0, wanted_hex_jacobian - hex_jacobian)) +
+           (is_hopeless_[q] != 0 ? 0.0 : square(std::max(0.0, wanted_face_split - split)));
+  }
+
   double shortfall(int q) const {
     const Column c = search_.column(q);
-    return square(std::max(0.0, wanted_quad_jacobian - scaled_jacobian(c.base))) +
-           square(std::max(0.0, wanted_hex_jacobian - scaled_jacobian(c, search_.levels()))) +
-           (is_hopeless_[q] != 0
-                ? 0.0
-                : square(std::max(0.0, wanted_face_split - face_split(c, search_.levels()))));
+    const double split = is_hopeless_[q] != 0 ? 0.0 : face_split(c, search_.levels());
+    return shortfall(q, scaled_jacobian(c, search_.levels()), split);
   }
 
   // Vertices of short columns that may still move, in order of their numbers.
@@ -129,9 +132,9 @@ class Mender {
   }
 
   ColumnSearch& search_;
-  std::vector<char> is_hopeless_;  // #Q faces between layers are not asked to be split
-  std::vector<double> shortfall_;
-  std::vector<double> step_;
+  std::vector<char> is_hopeless_;   // #Q faces between layers are not asked to be split
+  std::vector<double> shortfall_;   // #Q
+  std::vector<double> step_;        // #V
   std::vector<double> least_edge_;  // #V
 };
 
@@ -143,7 +146,7 @@ PolishResult polish(QuadMesh& quads, std::vector<SurfacePoint>& places,
   ColumnSearch search(quads, places, directions, projector, shape);
   PolishResult result;
   std::vector<char> moved(quads.points.size(), 0);
-  Mender(search, hopeless_columns(columns)).run(moved, result);
+  Mender(search, columns).run(moved, result);
   result.moved = static_cast<int>(std::count(moved.begin(), moved.end(), 1));
   return result;
 }

@@ -461,7 +461,8 @@ std::optional<FormSolution> solve_with_disks(const FormProblem& problem, const F
       return std::all_of(punctured.disk_faces.begin() + first, punctured.disk_faces.end(),
                          [&](const auto& faces) { return is_flat(problem.surface, faces); });
     };
-    if (auto punctured = puncture(problem.surface, disks); punctured && are_flat(*punctured)) {
+    auto punctured = puncture(problem.surface, problem.connectivity, disks);
+    if (punctured && are_flat(*punctured)) {
       std::optional<FormSolution> solution =
           solve_form(problem, disks, std::move(*punctured), before.refined.negative_edges);
       if (solution && !has_half_zeros(*solution, count)) return solution;

@@ -29,35 +29,24 @@ int sample_size(int n) {
   return n * std::clamp(sampled_triangles / n, least_sampled_per_loop, most_sampled_per_loop);
 }
 
-// Brings the loops of the punctured surface in the order: those of the surface, then the holes.
-// \returns for each of them its number in `mesh`.
-std::vector<int> loop_order(const Connectivity& mesh, const Connectivity& original,
-                            const PuncturedSurface& punctured) {
-  std::vector<int> order(mesh.loops().size(), -1);
+// One vertex of each loop of the punctured surface: those of the surface, then the holes.
+std::vector<int> loop_vertices(const Connectivity& original, const PuncturedSurface& punctured) {
+  std::vector<int> vertices(original.loops().size(), -1);
   for (int v = 0; v < static_cast<int>(punctured.original_vertex.size()); ++v) {
     const int u = punctured.original_vertex[v];
-    if (u >= 0 && original.is_boundary_vertex(u)) {
-      order[original.loop_of_vertex(u)] = mesh.loop_of_vertex(v);
-    }
+    if (u >= 0 && original.is_boundary_vertex(u)) vertices[original.loop_of_vertex(u)] = v;
   }
-  for (std::size_t i = 0; i < punctured.hole_vertex.size(); ++i) {
-    order[original.loops().size() + i] = mesh.loop_of_vertex(punctured.hole_vertex[i]);
-  }
-  return order;
+  vertices.insert(vertices.end(), punctured.hole_vertex.begin(), punctured.hole_vertex.end());
+  return vertices;
 }
 
-FormSolution refined(const FormProblem& problem, const std::vector<SurfaceDisk>& disks,
-                     PuncturedSurface punctured) {
-  FormSolution s;
-  s.disks = disks;
-  s.refined = make_delaunay(punctured.surface);
-  for (int& f : s.refined.parent_face) f = punctured.parent_face[f];
-  s.disk_faces = std::move(punctured.disk_faces);
-  s.connectivity =
-      Connectivity(static_cast<int>(s.refined.surface.points.size()), s.refined.surface.triangles);
-  // Refinement keeps vertex numbers and loops.
-  s.connectivity.reorder_loops(loop_order(s.connectivity, problem.connectivity, punctured));
-  return s;
+// Its loops come in the order of `vertices`, one of each. Refinement has kept their numbers.
+void connect(const std::vector<int>& vertices, FormSolution& s) {
+  const TriangleSurface& surface = s.refined.surface;
+  s.connectivity = Connectivity(static_cast<int>(surface.points.size()), surface.triangles);
+  std::vector<int> order;
+  for (const int v : vertices) order.push_back(s.connectivity.loop_of_vertex(v));
+  s.connectivity.reorder_loops(order);
 }
 
 void find_scale_factors(FormSolution& s) {
@@ -170,15 +159,27 @@ std::shared_ptr<const LaplaceSolver> laplace_of(const FormSolution& s) {
 
 FormSolution solve_form(const FormProblem& problem) {
   throw_if_cancelled();
-  return solve_refined(problem, refined(problem, {}, *puncture(problem.surface, {})));
+  FormSolution s;
+  s.refined = make_delaunay(problem.surface, problem.connectivity);
+  std::vector<int> vertices;
+  for (const auto& loop : problem.connectivity.loops()) vertices.push_back(loop.front());
+  connect(vertices, s);
+  return solve_refined(problem, std::move(s));
 }
 
 std::optional<FormSolution> solve_form(const FormProblem& problem,
                                        const std::vector<SurfaceDisk>& disks,
                                        PuncturedSurface punctured, int most_negative) {
   throw_if_cancelled();
-  FormSolution s = refined(problem, disks, std::move(punctured));
+  const TriangleSurface& surface = punctured.surface;
+  const Connectivity mesh(static_cast<int>(surface.points.size()), surface.triangles);
+  FormSolution s;
+  s.refined = make_delaunay(surface, mesh);
   if (s.refined.negative_edges > most_negative) return std::nullopt;
+  for (int& f : s.refined.parent_face) f = punctured.parent_face[f];
+  connect(loop_vertices(problem.connectivity, punctured), s);
+  s.disks = disks;
+  s.disk_faces = std::move(punctured.disk_faces);
   return solve_refined(problem, std::move(s));
 }
 

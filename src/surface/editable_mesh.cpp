@@ -4,9 +4,8 @@
 
 namespace hexwall {
 
-EditableMesh::EditableMesh(const TriangleSurface& surface)
+EditableMesh::EditableMesh(const TriangleSurface& surface, const Connectivity& mesh)
     : surface_(surface), parent_(surface.triangles.size()) {
-  const Connectivity mesh(static_cast<int>(surface.points.size()), surface.triangles);
   twin_.resize(mesh.halfedge_count());
   for (int h = 0; h < mesh.halfedge_count(); ++h) twin_[h] = mesh.twin(h);
   std::iota(parent_.begin(), parent_.end(), 0);

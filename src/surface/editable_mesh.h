@@ -12,8 +12,8 @@ namespace hexwall {
 /// `h = 3 f + k` as in `Connectivity`; numbers of vertices stay, new ones follow.
 class EditableMesh {
  public:
-  /// \pre `surface` is an oriented manifold.
-  explicit EditableMesh(const TriangleSurface& surface);
+  /// \param mesh of `surface`.
+  EditableMesh(const TriangleSurface& surface, const Connectivity& mesh);
 
   static int next(int h) { return Connectivity::next(h); }
   static int prev(int h) { return Connectivity::prev(h); }

@@ -23,8 +23,8 @@ constexpr double on_edge = 1e-6;
 
 class Puncher {
  public:
-  explicit Puncher(const TriangleSurface& surface)
-      : mesh_(surface), original_count_(static_cast<int>(surface.points.size())) {}
+  Puncher(const TriangleSurface& surface, const Connectivity& mesh)
+      : mesh_(surface, mesh), original_count_(static_cast<int>(surface.points.size())) {}
 
   // False if the disk is none.
   bool cut(const SurfaceDisk& disk) {
@@ -234,9 +234,9 @@ class Puncher {
 
 }  // namespace
 
-std::optional<PuncturedSurface> puncture(const TriangleSurface& surface,
+std::optional<PuncturedSurface> puncture(const TriangleSurface& surface, const Connectivity& mesh,
                                          const std::vector<SurfaceDisk>& disks) {
-  Puncher puncher(surface);
+  Puncher puncher(surface, mesh);
   for (const SurfaceDisk& disk : disks) {
     if (!puncher.cut(disk)) return std::nullopt;
   }

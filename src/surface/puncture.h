@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "surface/connectivity.h"
 #include "surface/projector.h"
 #include "surface/triangle_surface.h"
 
@@ -26,10 +27,10 @@ struct PuncturedSurface {
 /// Cuts disks out of a surface without changing its shape: triangles are refined around each disk,
 /// then edges are split at the distance `radius` from its centre, so that the loops are round and
 /// have some forty vertices, whatever the triangles of the input.
-/// \pre `surface` is an oriented manifold.
+/// \param mesh of `surface`.
 /// \returns nothing if a disk is not a topological disk clear of the boundary and of other disks:
 /// try a smaller radius.
-std::optional<PuncturedSurface> puncture(const TriangleSurface& surface,
+std::optional<PuncturedSurface> puncture(const TriangleSurface& surface, const Connectivity& mesh,
                                          const std::vector<SurfaceDisk>& disks);
 
 }  // namespace hexwall

@@ -30,7 +30,7 @@ struct Vessel {
       : surface(check_surface(input).surface),
         mesh(test::connectivity_of(surface)),
         edge(Eigen::VectorXd::Ones(mesh.face_count())),
-        refined(make_delaunay(surface)),
+        refined(make_delaunay(surface, mesh)),
         refined_mesh(test::connectivity_of(refined.surface)),
         star(star1(refined.surface, refined_mesh)) {}
 
@@ -106,7 +106,7 @@ void forms(benchmark::State& state, Surface surface) {
 void refine(benchmark::State& state, Surface surface) {
   const Vessel& v = surface(state);
   for (auto _ : state) {
-    const DelaunaySurface refined = make_delaunay(v.surface);
+    const DelaunaySurface refined = make_delaunay(v.surface, v.mesh);
     const Connectivity mesh = test::connectivity_of(refined.surface);
     benchmark::DoNotOptimize(star1(refined.surface, mesh));
   }

@@ -126,14 +126,14 @@ INSTANTIATE_TEST_SUITE_P(All, MakeDelaunay, testing::ValuesIn(test::vessel_surfa
 TEST_P(MakeDelaunay, RefinesWithoutChangingTheShape) {
   const TriangleSurface* input = test::vessel_surface(GetParam());
   if (input == nullptr) GTEST_SKIP() << "no shared data: " << GetParam();
-  expect_delaunay_refinement(*input, make_delaunay(*input));
+  expect_delaunay_refinement(*input, test::delaunay_of(*input));
 }
 
 TEST_P(MakeDelaunay, LeavesItsOwnResultAlone) {
   const TriangleSurface* input = test::vessel_surface(GetParam());
   if (input == nullptr) GTEST_SKIP() << "no shared data: " << GetParam();
-  const DelaunaySurface once = make_delaunay(*input);
-  const DelaunaySurface twice = make_delaunay(once.surface);
+  const DelaunaySurface once = test::delaunay_of(*input);
+  const DelaunaySurface twice = test::delaunay_of(once.surface);
   EXPECT_EQ(twice.splits, 0);
   EXPECT_EQ(twice.flips, 0);
   EXPECT_EQ(twice.surface.triangles, once.surface.triangles);
@@ -144,7 +144,7 @@ TEST(MakeDelaunayOfBadTriangles, RefinesCrumpledTubes) {
     for (const int n_along : {10, 20, 40}) {
       SCOPED_TRACE(testing::Message() << "seed " << seed << ", " << n_along << " along");
       const TriangleSurface input = test::crumpled_tube(30, n_along, 8.0, seed, 0.3);
-      const DelaunaySurface refined = make_delaunay(input);
+      const DelaunaySurface refined = test::delaunay_of(input);
       EXPECT_GT(refined.splits, 0);
       expect_delaunay_refinement(input, refined);
     }
@@ -154,7 +154,7 @@ TEST(MakeDelaunayOfBadTriangles, RefinesCrumpledTubes) {
 // Few vertices, all edges along the tube ten times as long as those around it.
 TEST(MakeDelaunayOfBadTriangles, RefinesCoarseTubesOfLongTriangles) {
   const TriangleSurface input = test::crumpled_tube(30, 4, 8.0, 1, 0.03);
-  const DelaunaySurface refined = make_delaunay(input);
+  const DelaunaySurface refined = test::delaunay_of(input);
   EXPECT_GT(refined.splits, 0);
   expect_delaunay_refinement(input, refined);
 }
@@ -163,7 +163,7 @@ TEST(MakeDelaunayOfBadTriangles, CountsTheEdgesThatStayNegative) {
   for (const std::uint64_t seed : {1U, 2U, 3U, 4U, 5U, 6U}) {
     SCOPED_TRACE(seed);
     const TriangleSurface input = test::crumpled_tube(30, 3, 15.0, seed, 0.1);
-    const DelaunaySurface refined = make_delaunay(input);
+    const DelaunaySurface refined = test::delaunay_of(input);
     const Connectivity mesh = connectivity_of(refined.surface);
     EXPECT_EQ(refined.negative_edges, negative_weights(refined.surface, mesh));
     expect_same_shape(input, refined);
@@ -176,7 +176,7 @@ TEST(MakeDelaunayOfBadTriangles, DoesNotDependOnTheOrderForItsGuarantees) {
   for (const std::uint64_t seed : {11U, 12U}) {
     std::vector<int> order;
     const TriangleSurface mixed = test::shuffled(input, seed, order);
-    expect_delaunay_refinement(mixed, make_delaunay(mixed));
+    expect_delaunay_refinement(mixed, test::delaunay_of(mixed));
   }
 }
 
@@ -200,7 +200,7 @@ TEST(MakeDelaunayOfRegularGrids, KeepsCocircularNeighbours) {
     }
     return s;
   }();
-  const DelaunaySurface refined = make_delaunay(grid);
+  const DelaunaySurface refined = test::delaunay_of(grid);
   EXPECT_EQ(refined.splits, 0);
   EXPECT_EQ(refined.surface.triangles, grid.triangles);
 }
@@ -221,7 +221,7 @@ TEST(MakeDelaunayAtLoops, SplitsChords) {
     }
   }
   ASSERT_EQ(ears, 4);
-  const DelaunaySurface refined = make_delaunay(ring);
+  const DelaunaySurface refined = test::delaunay_of(ring);
   EXPECT_GE(refined.splits, ears);
   expect_delaunay_refinement(ring, refined);
 }

@@ -13,7 +13,7 @@ namespace {
 using test::connectivity_of;
 
 struct PlanarMesh {
-  TriangleSurface surface = make_delaunay(eccentric_annulus(1.0, 0.3, 0.4, 48, 9)).surface;
+  TriangleSurface surface = test::delaunay_of(eccentric_annulus(1.0, 0.3, 0.4, 48, 9)).surface;
   Connectivity mesh = connectivity_of(surface);
   Eigen::VectorXd star = star1(surface, mesh);
 };

@@ -16,7 +16,7 @@ using test::connectivity_of;
 
 class Operators : public testing::TestWithParam<std::string> {
  protected:
-  TriangleSurface surface_ = make_delaunay(*test::vessel_surface(GetParam())).surface;
+  TriangleSurface surface_ = test::delaunay_of(*test::vessel_surface(GetParam())).surface;
   Connectivity mesh_ = connectivity_of(surface_);
 };
 

@@ -26,7 +26,7 @@ std::vector<double> periods_of(const Harmonic& h, const Eigen::VectorXd& lambda)
 
 // A surface that `make_delaunay` leaves alone, so that variants of it are refined alike.
 TriangleSurface delaunay_surface(const std::string& name) {
-  return make_delaunay(*test::vessel_surface(name)).surface;
+  return test::delaunay_of(*test::vessel_surface(name)).surface;
 }
 
 class Optimum : public testing::TestWithParam<std::string> {

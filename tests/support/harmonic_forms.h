@@ -7,7 +7,6 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
-#include "dec/delaunay.h"
 #include "dec/operators.h"
 #include "holomorphic/basis.h"
 #include "holomorphic/energy.h"
@@ -37,7 +36,7 @@ struct Harmonic {
 
 inline Harmonic harmonic(const TriangleSurface& input, int exterior = 0) {
   Harmonic h;
-  h.refined = make_delaunay(input);
+  h.refined = delaunay_of(input);
   h.input_faces = static_cast<int>(input.triangles.size());
   h.mesh = connectivity_of(h.refined.surface);
   h.star = star1(h.refined.surface, h.mesh);

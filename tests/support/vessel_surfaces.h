@@ -14,6 +14,7 @@
 
 #include <Eigen/Geometry>
 
+#include "dec/delaunay.h"
 #include "support/outcomes.h"
 #include "support/shared_data.h"
 #include "surface/check.h"
@@ -27,6 +28,10 @@ namespace hexwall::test {
 
 inline Connectivity connectivity_of(const TriangleSurface& surface) {
   return {static_cast<int>(surface.points.size()), surface.triangles};
+}
+
+inline DelaunaySurface delaunay_of(const TriangleSurface& surface) {
+  return make_delaunay(surface, connectivity_of(surface));
 }
 
 inline std::vector<double> loop_lengths(const TriangleSurface& surface, const Connectivity& mesh) {

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <set>
+#include <vector>
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -34,6 +36,11 @@ Connectivity connectivity(const TriangleSurface& surface) {
   return {static_cast<int>(surface.points.size()), surface.triangles};
 }
 
+std::optional<PuncturedSurface> cut(const TriangleSurface& surface,
+                                    const std::vector<SurfaceDisk>& disks) {
+  return puncture(surface, connectivity(surface), disks);
+}
+
 // From triangles far larger than the disk to far smaller ones.
 class Disk : public testing::TestWithParam<double> {};
 
@@ -41,7 +48,7 @@ TEST_P(Disk, IsRoundAndLeavesTheRestAsItWas) {
   const double radius = GetParam();
   const TriangleSurface surface = annulus(1.0, 2.0, 60, 7);
   const SurfacePoint center = near(surface, {0.0, 1.5, 0.0});
-  const auto punctured = puncture(surface, {{center, radius}});
+  const auto punctured = cut(surface, {{center, radius}});
   ASSERT_TRUE(punctured);
   const TriangleSurface& rest = punctured->surface;
   const Connectivity mesh = connectivity(rest);
@@ -71,7 +78,7 @@ TEST_P(Disk, IsRoundAndLeavesTheRestAsItWas) {
 TEST_P(Disk, NamesTheTrianglesThatCoverIt) {
   const TriangleSurface surface = annulus(1.0, 2.0, 60, 7);
   const SurfacePoint center = near(surface, {0.0, 1.5, 0.0});
-  const auto punctured = puncture(surface, {{center, GetParam()}});
+  const auto punctured = cut(surface, {{center, GetParam()}});
   ASSERT_TRUE(punctured);
   const auto& faces = punctured->disk_faces.at(0);
   const std::set<int> in_disk(faces.begin(), faces.end());
@@ -90,7 +97,7 @@ INSTANTIATE_TEST_SUITE_P(Radius, Disk, testing::Values(0.005, 0.03, 0.1, 0.3, 0.
 
 TEST(Puncture, KeepsVerticesAndLoopsOfTheSurface) {
   const TriangleSurface surface = cylinder(1.0, 6.0, 40, 30);
-  const auto punctured = puncture(surface, {{near(surface, {1.0, 0.0, 3.0}), 0.3}});
+  const auto punctured = cut(surface, {{near(surface, {1.0, 0.0, 3.0}), 0.3}});
   ASSERT_TRUE(punctured);
   int kept = 0;
   for (std::size_t v = 0; v < punctured->original_vertex.size(); ++v) {
@@ -105,8 +112,8 @@ TEST(Puncture, KeepsVerticesAndLoopsOfTheSurface) {
 
 TEST(Puncture, TakesSeveralDisks) {
   const TriangleSurface surface = cylinder(1.0, 6.0, 40, 30);
-  const auto punctured = puncture(
-      surface, {{near(surface, {1.0, 0.0, 2.0}), 0.3}, {near(surface, {-1.0, 0.0, 4.0}), 0.4}});
+  const auto punctured =
+      cut(surface, {{near(surface, {1.0, 0.0, 2.0}), 0.3}, {near(surface, {-1.0, 0.0, 4.0}), 0.4}});
   ASSERT_TRUE(punctured);
   const Connectivity mesh = connectivity(punctured->surface);
   EXPECT_EQ(mesh.loops().size(), 4U);
@@ -120,7 +127,7 @@ TEST(Puncture, TakesSeveralDisks) {
 TEST(Puncture, StaysOnTheSheetOfItsCentre) {
   // Two parallel planes' distance apart: the far wall of a thin tube lies within the radius.
   const TriangleSurface surface = cylinder(1.0, 6.0, 40, 30);
-  const auto punctured = puncture(surface, {{near(surface, {1.0, 0.0, 3.0}), 1.2}});
+  const auto punctured = cut(surface, {{near(surface, {1.0, 0.0, 3.0}), 1.2}});
   ASSERT_TRUE(punctured);
   for (const Vec3& p : punctured->surface.points) {
     EXPECT_TRUE(p.x() < 0.5 || (p - Vec3(1.0, 0.0, 3.0)).norm() > 1.1);
@@ -131,11 +138,11 @@ TEST(Puncture, StaysOnTheSheetOfItsCentre) {
 TEST(Puncture, RefusesWhatIsNoDisk) {
   const TriangleSurface surface = cylinder(1.0, 6.0, 40, 30);
   const SurfacePoint middle = near(surface, {1.0, 0.0, 3.0});
-  EXPECT_TRUE(puncture(surface, {{middle, 0.5}}));
-  EXPECT_FALSE(puncture(surface, {{middle, 2.1}})) << "a band around the tube";
-  EXPECT_FALSE(puncture(surface, {{middle, 3.5}})) << "reaches the ends";
-  EXPECT_FALSE(puncture(surface, {{near(surface, {1.0, 0.0, 0.2}), 0.5}})) << "reaches an end";
-  EXPECT_FALSE(puncture(surface, {{middle, 0.5}, {near(surface, {1.0, 0.0, 3.4}), 0.3}}))
+  EXPECT_TRUE(cut(surface, {{middle, 0.5}}));
+  EXPECT_FALSE(cut(surface, {{middle, 2.1}})) << "a band around the tube";
+  EXPECT_FALSE(cut(surface, {{middle, 3.5}})) << "reaches the ends";
+  EXPECT_FALSE(cut(surface, {{near(surface, {1.0, 0.0, 0.2}), 0.5}})) << "reaches an end";
+  EXPECT_FALSE(cut(surface, {{middle, 0.5}, {near(surface, {1.0, 0.0, 3.4}), 0.3}}))
       << "overlaps another one";
 }
 
