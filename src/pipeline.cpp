@@ -52,7 +52,7 @@ void check_options(const PipelineOptions& options) {
 // Brings the loops in the order of the openings, each at the loop of the nearest centre that is
 // left: the longest of those with one centre, since openings are numbered so.
 void find_openings(const PrepareResult& input, PipelineResult& r) {
-  r.connectivity = Connectivity(static_cast<int>(r.surface.points.size()), r.surface.triangles);
+  r.connectivity = connectivity_of(r.surface);
   const auto& loops = r.connectivity.loops();
   std::vector<LoopPlane> planes;
   std::vector<double> lengths;

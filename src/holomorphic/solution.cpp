@@ -43,7 +43,7 @@ std::vector<int> loop_vertices(const Connectivity& original, const PuncturedSurf
 // Its loops come in the order of `vertices`, one of each. Refinement has kept their numbers.
 void connect(const std::vector<int>& vertices, FormSolution& s) {
   const TriangleSurface& surface = s.refined.surface;
-  s.connectivity = Connectivity(static_cast<int>(surface.points.size()), surface.triangles);
+  s.connectivity = connectivity_of(surface);
   std::vector<int> order;
   for (const int v : vertices) order.push_back(s.connectivity.loop_of_vertex(v));
   s.connectivity.reorder_loops(order);
@@ -172,7 +172,7 @@ std::optional<FormSolution> solve_form(const FormProblem& problem,
                                        PuncturedSurface punctured, int most_negative) {
   throw_if_cancelled();
   const TriangleSurface& surface = punctured.surface;
-  const Connectivity mesh(static_cast<int>(surface.points.size()), surface.triangles);
+  const Connectivity mesh = connectivity_of(surface);
   FormSolution s;
   s.refined = make_delaunay(surface, mesh);
   if (s.refined.negative_edges > most_negative) return std::nullopt;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <iterator>
 #include <numeric>
 #include <string_view>
 #include <utility>
@@ -10,7 +11,7 @@
 #include <fmt/format.h>
 
 #include "core/errors.h"
-#include "surface/connectivity.h"
+#include "core/parallel.h"
 #include "surface/counted.h"
 #include "surface/edge_uses.h"
 #include "surface/handles.h"
@@ -302,65 +303,61 @@ void note_winding(CheckResult& result) {
   }
 }
 
-/// Runs one check after another. Each presupposes that the ones of the groups before it passed.
-class Checks {
- public:
-  explicit Checks(bool only_first) : only_first_(only_first) {}
+using Check = std::function<void(Problems&)>;
 
-  template <class... Check>
-  void group(const Check&... check) {
-    if (!problems_.empty()) return;
-    (run(check), ...);
+// Runs checks that do not depend on each other side by side.
+void run_group(const std::vector<Check>& checks, Problems& problems) {
+  std::vector<Problems> found(checks.size());
+  parallel_tasks(checks.size(), [&](std::size_t i) { checks[i](found[i]); });
+  for (Problems& some : found) {
+    problems.insert(problems.end(), std::make_move_iterator(some.begin()),
+                    std::make_move_iterator(some.end()));
   }
-  const Problems& problems() const { return problems_; }
+}
 
- private:
-  template <class Check>
-  void run(const Check& check) {
-    if (problems_.empty() || !only_first_) check(problems_);
-  }
-
-  bool only_first_;
-  Problems problems_;
-};
-
-Problems run_checks(const TriangleSurface& surface, bool only_first, bool is_free_of_intersections,
-                    OrientResult& oriented) {
-  Checks checks(only_first);
-  checks.group([&](Problems& p) { check_not_empty(surface, p); });
-  checks.group([&](Problems& p) { check_finite(surface, p); });
-  checks.group([&](Problems& p) { check_triangles(surface, p); },
-               [&](Problems& p) { check_connected(surface, p); },
-               [&](Problems& p) { check_edges(surface, p); },
-               [&](Problems& p) { check_orientable(surface, oriented, p); },
-               [&](Problems& p) { check_vertices(surface, p); });
-  if (!checks.problems().empty()) return checks.problems();
-  oriented = orient(std::move(oriented));
-  const Connectivity mesh(static_cast<int>(surface.points.size()), oriented.surface.triangles);
-  checks.group([&](Problems& p) { check_loops(mesh, surface, p); },
-               [&](Problems& p) { check_genus(mesh, oriented.surface, p); },
-               [&](Problems& p) {
-                 if (!is_free_of_intersections) check_self_intersections(oriented.surface, p);
-               });
-  return checks.problems();
+// Groups of checks presuppose that those before them passed.
+Problems run_checks(const TriangleSurface& surface, bool is_free_of_intersections,
+                    OrientResult& oriented, Connectivity& mesh) {
+  Problems problems;
+  check_not_empty(surface, problems);
+  if (problems.empty()) check_finite(surface, problems);
+  if (!problems.empty()) return problems;
+  run_group({[&](Problems& p) { check_triangles(surface, p); },
+             [&](Problems& p) { check_connected(surface, p); },
+             [&](Problems& p) { check_edges(surface, p); },
+             [&](Problems& p) { check_orientable(surface, oriented, p); },
+             [&](Problems& p) { check_vertices(surface, p); }},
+            problems);
+  if (!problems.empty()) return problems;
+  mesh = connectivity_of(oriented.surface);
+  wind_outward(oriented, mesh);
+  run_group({[&](Problems& p) { check_loops(mesh, surface, p); },
+             [&](Problems& p) { check_genus(mesh, oriented.surface, p); },
+             [&](Problems& p) {
+               if (!is_free_of_intersections) check_self_intersections(oriented.surface, p);
+             }},
+            problems);
+  return problems;
 }
 
 }  // namespace
 
 std::vector<Problem> find_problems(const TriangleSurface& surface) {
   OrientResult oriented;
-  return run_checks(surface, false, false, oriented);
+  Connectivity mesh;
+  return run_checks(surface, false, oriented, mesh);
 }
 
 CheckResult check_surface(const TriangleSurface& surface, bool is_free_of_intersections) {
   OrientResult oriented;
-  const Problems problems = run_checks(surface, true, is_free_of_intersections, oriented);
+  Connectivity mesh;
+  const Problems problems = run_checks(surface, is_free_of_intersections, oriented, mesh);
   if (!problems.empty()) {
     const Problem& first = problems.front();
     if (first.code == ExitCode::geometry) throw GeometryError(first.message);
     throw TopologyError(first.message);
   }
-  CheckResult result{std::move(oriented.surface), oriented.flipped, {}};
+  CheckResult result{std::move(oriented.surface), std::move(mesh), oriented.flipped, {}};
   note_winding(result);
   return result;
 }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/errors.h"
+#include "surface/connectivity.h"
 #include "surface/triangle_surface.h"
 
 namespace hexwall {
@@ -25,6 +26,7 @@ std::vector<Problem> find_problems(const TriangleSurface& surface);
 
 struct CheckResult {
   TriangleSurface surface;         ///< the input, with all triangles wound outward
+  Connectivity mesh;               ///< of `surface`
   int flipped = 0;                 ///< triangles whose winding was turned for that
   std::vector<std::string> notes;  ///< what the user should know, one sentence each
 };

@@ -123,4 +123,8 @@ int Connectivity::euler_number() const {
   return static_cast<int>(used) - edge_count() + face_count();
 }
 
+Connectivity connectivity_of(const TriangleSurface& surface) {
+  return {static_cast<int>(surface.points.size()), surface.triangles};
+}
+
 }  // namespace hexwall

@@ -3,6 +3,8 @@
 #include <array>
 #include <vector>
 
+#include "surface/triangle_surface.h"
+
 namespace hexwall {
 
 /// Half-edge connectivity of an oriented manifold triangle mesh with boundary.
@@ -66,5 +68,8 @@ class Connectivity {
   std::vector<int> twin_, edge_of_, halfedge_of_edge_, outgoing_, loop_of_vertex_;
   std::vector<std::vector<int>> loops_;
 };
+
+/// \throws TopologyError as the constructor. \pre each vertex index lies in [0, #V).
+Connectivity connectivity_of(const TriangleSurface& surface);
 
 }  // namespace hexwall

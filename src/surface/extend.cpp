@@ -248,7 +248,7 @@ ExtendResult extend_openings(const TriangleSurface& surface, double radii) {
   if (!(radii > 0.0) || !std::isfinite(radii)) {
     throw UsageError("--extend must be a positive number of radii");
   }
-  const Connectivity mesh(static_cast<int>(surface.points.size()), surface.triangles);
+  const Connectivity mesh = connectivity_of(surface);
   ExtendResult result{surface, std::vector<int>(surface.triangles.size(), -1), {}, {}};
   std::vector<LoopShape> shapes;
   for (std::size_t i = 0; i < mesh.loops().size(); ++i) {

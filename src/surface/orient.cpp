@@ -104,7 +104,7 @@ OrientResult make_consistent(const TriangleSurface& surface) {
   return result;
 }
 
-double signed_volume(const TriangleSurface& surface) {
+double signed_volume(const TriangleSurface& surface, const Connectivity& mesh) {
   const auto& p = surface.points;
   // Sums relative to a point of the surface stay small far away from the origin.
   const Vec3 origin = surface.triangles.empty() ? Vec3(0, 0, 0) : p[surface.triangles[0][0]];
@@ -112,7 +112,6 @@ double signed_volume(const TriangleSurface& surface) {
   for (const auto& [a, b, c] : surface.triangles) {
     volume += tetrahedron_volume(p[a] - origin, p[b] - origin, p[c] - origin);
   }
-  const Connectivity mesh(static_cast<int>(p.size()), surface.triangles);
   for (const std::vector<int>& loop : mesh.loops()) {
     Vec3 centroid = Vec3::Zero();
     for (const int v : loop) centroid += (p[v] - origin) / static_cast<double>(loop.size());
@@ -125,17 +124,24 @@ double signed_volume(const TriangleSurface& surface) {
   return volume;
 }
 
-OrientResult orient(const TriangleSurface& surface) {
-  return orient(make_consistent(surface));
+double signed_volume(const TriangleSurface& surface) {
+  return signed_volume(surface, connectivity_of(surface));
 }
 
-OrientResult orient(OrientResult consistent) {
+OrientResult orient(const TriangleSurface& surface) {
+  OrientResult result = make_consistent(surface);
+  Connectivity mesh = connectivity_of(result.surface);
+  wind_outward(result, mesh);
+  return result;
+}
+
+void wind_outward(OrientResult& consistent, Connectivity& mesh) {
   TriangleSurface& surface = consistent.surface;
   const double scale = std::pow(total_area(surface), 1.5);
-  if (signed_volume(surface) >= -flat_volume * scale) return consistent;
+  if (signed_volume(surface, mesh) >= -flat_volume * scale) return;
   for (auto& t : surface.triangles) std::swap(t[1], t[2]);
   consistent.flipped = static_cast<int>(surface.triangles.size()) - consistent.flipped;
-  return consistent;
+  mesh = connectivity_of(surface);
 }
 
 }  // namespace hexwall

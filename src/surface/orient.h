@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/errors.h"
+#include "surface/connectivity.h"
 #include "surface/triangle_surface.h"
 
 namespace hexwall {
@@ -32,7 +33,10 @@ OrientResult make_consistent(const TriangleSurface& surface);
 
 /// Volume enclosed once every boundary loop is closed by a fan of triangles to its centroid:
 /// positive if the triangles are counter-clockwise seen from outside.
-/// \pre consistent winding. \throws TopologyError if the mesh is not manifold.
+/// \pre consistent winding. \param mesh of `surface`.
+double signed_volume(const TriangleSurface& surface, const Connectivity& mesh);
+
+/// The same. \throws TopologyError if the mesh is not manifold.
 double signed_volume(const TriangleSurface& surface);
 
 /// Makes the winding consistent and counter-clockwise seen from outside (`signed_volume` > 0). A
@@ -41,7 +45,7 @@ double signed_volume(const TriangleSurface& surface);
 /// \throws TopologyError if the surface is not orientable or not manifold at a vertex.
 OrientResult orient(const TriangleSurface& surface);
 
-/// The same of a surface that `make_consistent` gave.
-OrientResult orient(OrientResult consistent);
+/// The same of a surface that `make_consistent` gave, and of its connectivity.
+void wind_outward(OrientResult& consistent, Connectivity& mesh);
 
 }  // namespace hexwall

@@ -52,8 +52,9 @@ void name_opened(const std::vector<Vec3>& centers, const std::vector<std::string
 }
 
 // Names the openings and lengthens them. `openings` gets the centres of the final loops.
-void name_and_extend(const PrepareOptions& options, PrepareResult& result) {
-  const Connectivity mesh(static_cast<int>(result.surface.points.size()), result.surface.triangles);
+// \param mesh of the surface as it is.
+void name_and_extend(const PrepareOptions& options, const Connectivity& mesh,
+                     PrepareResult& result) {
   const std::vector<int> order = longest_first(result.surface, mesh);
   std::vector<Vec3> centers;
   std::vector<double> radii;
@@ -71,8 +72,7 @@ void name_and_extend(const PrepareOptions& options, PrepareResult& result) {
   if (options.extend > 0.0) {
     ExtendResult extended = extend_openings(result.surface, options.extend);
     result.surface = std::move(extended.surface);
-    const Connectivity longer(static_cast<int>(result.surface.points.size()),
-                              result.surface.triangles);
+    const Connectivity longer = connectivity_of(result.surface);
     for (std::size_t i = 0; i < order.size(); ++i) {
       const int loop = longer.loop_of_vertex(extended.end_vertex[order[i]]);
       centers[i] = fit_plane(points_of(result.surface, longer.loops()[loop])).center;
@@ -116,11 +116,11 @@ PrepareResult finish(PrepareResult result, const PrepareOptions& options,
   CheckResult checked = check_surface(result.surface, is_free_of_intersections);
   result.surface = std::move(checked.surface);
   result.notes.insert(result.notes.end(), checked.notes.begin(), checked.notes.end());
-  if (auto warning = unit_warning(result.surface, options.metres_per_unit)) {
+  if (auto warning = unit_warning(result.surface, checked.mesh, options.metres_per_unit)) {
     result.warnings.push_back(std::move(*warning));
   }
   result.extension.assign(result.surface.triangles.size(), -1);
-  name_and_extend(options, result);
+  name_and_extend(options, checked.mesh, result);
   return result;
 }
 

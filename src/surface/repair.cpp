@@ -112,13 +112,11 @@ bool have_area(const TriangleSurface& surface) {
   return !surface.triangles.empty();
 }
 
-bool is_oriented_manifold(const TriangleSurface& surface) {
+std::optional<Connectivity> connectivity_if_manifold(const TriangleSurface& surface) {
   try {
-    [[maybe_unused]] const Connectivity built(static_cast<int>(surface.points.size()),
-                                              surface.triangles);
-    return true;
+    return connectivity_of(surface);
   } catch (const TopologyError&) {
-    return false;
+    return std::nullopt;
   }
 }
 
@@ -169,14 +167,14 @@ RepairResult repair_topology(const TriangleSurface& surface, const RepairOptions
 RepairResult repair_geometry(const TriangleSurface& surface, const RepairOptions& options) {
   check_options(options);
   Repair repair(surface, options);
-  if (!has_finite_triangles(surface) || !have_area(surface) || !is_oriented_manifold(surface)) {
-    return std::move(repair).result();
-  }
+  if (!has_finite_triangles(surface) || !have_area(surface)) return std::move(repair).result();
+  const std::optional<Connectivity> mesh = connectivity_if_manifold(surface);
+  if (!mesh) return std::move(repair).result();
   const double tolerance =
       options.tolerance.value_or(default_tolerance * mean_edge_length(surface));
   bool is_free = false;
   repair.run(RepairStep::pinholes, [&](State& s) {
-    return repair::fill_pinholes(s, pointer_to(options.pinhole_length));
+    return repair::fill_pinholes(s, *mesh, pointer_to(options.pinhole_length));
   });
   const TriangleSurface filled = repair.surface();
   repair.run(RepairStep::slivers, [&](State& s) { return repair::remove_slivers(s, tolerance); });

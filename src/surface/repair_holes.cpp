@@ -154,8 +154,7 @@ Vec3 center_of(const std::vector<Vec3>& points, const Loop& loop) {
 
 }  // namespace
 
-Outcome fill_pinholes(State& state, const double* length) {
-  const Connectivity mesh(static_cast<int>(state.surface.points.size()), state.surface.triangles);
+Outcome fill_pinholes(State& state, const Connectivity& mesh, const double* length) {
   Outcome outcome;
   int added = 0;
   for (const Loop& loop : find_pinholes(state.surface, mesh, length)) {

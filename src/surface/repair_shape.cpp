@@ -63,7 +63,7 @@ double mean_boundary_edge(const TriangleSurface& surface, const Connectivity& me
 }
 
 double default_edge(const TriangleSurface& surface) {
-  const Connectivity mesh(static_cast<int>(surface.points.size()), surface.triangles);
+  const Connectivity mesh = connectivity_of(surface);
   const double mean_area = total_area(surface) / static_cast<double>(surface.triangles.size());
   return std::min(std::sqrt(mean_area / equilateral_area(1.0)), mean_boundary_edge(surface, mesh));
 }
@@ -101,7 +101,7 @@ class Smoother {
       : surface_(surface),
         former_(surface.points),
         tolerance_(tolerance),
-        mesh_(static_cast<int>(surface.points.size()), surface.triangles) {}
+        mesh_(connectivity_of(surface)) {}
 
   /// The vertices up to `rings` triangles away from the triangles of `pairs`, those of loops left
   /// out.

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "surface/connectivity.h"
 #include "surface/triangle_surface.h"
 
 /// The steps of `repair.h` one by one; for its use only. Each changes `state` only if it finds
@@ -43,8 +44,8 @@ Outcome keep_largest_component(State& state, double small);
 Outcome turn_outward(State& state);
 
 /// Fills the holes with a perimeter below `length`, or by default those described in RepairOptions.
-/// \pre oriented manifold.
-Outcome fill_pinholes(State& state, const double* length);
+/// \param mesh of `state.surface`.
+Outcome fill_pinholes(State& state, const Connectivity& mesh, const double* length);
 
 /// Collapses needles, flips caps and draws those at the boundary onto it, each time no point moves
 /// further than `tolerance` from the surface that came in. \pre oriented manifold.

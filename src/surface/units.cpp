@@ -44,9 +44,10 @@ std::string length(double metres) {
 
 }  // namespace
 
-std::optional<std::string> unit_warning(const TriangleSurface& surface, double metres_per_unit) {
+std::optional<std::string> unit_warning(const TriangleSurface& surface, const Connectivity& mesh,
+                                        double metres_per_unit) {
   const Size size{bounding_box_diagonal(surface),
-                  2.0 * std::abs(signed_volume(surface)) / total_area(surface)};
+                  2.0 * std::abs(signed_volume(surface, mesh)) / total_area(surface)};
   if (is_vessel(size, metres_per_unit)) return std::nullopt;
   std::string fitting;
   for (const Unit& unit : units) {

@@ -28,10 +28,10 @@ namespace {
 struct Vessel {
   explicit Vessel(const TriangleSurface& input)
       : surface(check_surface(input).surface),
-        mesh(test::connectivity_of(surface)),
+        mesh(connectivity_of(surface)),
         edge(Eigen::VectorXd::Ones(mesh.face_count())),
         refined(make_delaunay(surface, mesh)),
-        refined_mesh(test::connectivity_of(refined.surface)),
+        refined_mesh(connectivity_of(refined.surface)),
         star(star1(refined.surface, refined_mesh)) {}
 
   // A quad for each vertex: with many openings the default would be too few.
@@ -107,7 +107,7 @@ void refine(benchmark::State& state, Surface surface) {
   const Vessel& v = surface(state);
   for (auto _ : state) {
     const DelaunaySurface refined = make_delaunay(v.surface, v.mesh);
-    const Connectivity mesh = test::connectivity_of(refined.surface);
+    const Connectivity mesh = connectivity_of(refined.surface);
     benchmark::DoNotOptimize(star1(refined.surface, mesh));
   }
   count(state, v);

@@ -15,7 +15,7 @@
 namespace hexwall {
 namespace {
 
-using test::connectivity_of;
+using connectivity_of;
 
 double area(const TriangleSurface& surface, int f) {
   return 0.5 * doubled_area_vector(surface, f).norm();

@@ -10,7 +10,7 @@
 namespace hexwall {
 namespace {
 
-using test::connectivity_of;
+using connectivity_of;
 
 struct PlanarMesh {
   TriangleSurface surface = test::delaunay_of(eccentric_annulus(1.0, 0.3, 0.4, 48, 9)).surface;

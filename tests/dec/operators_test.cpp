@@ -12,7 +12,7 @@
 namespace hexwall {
 namespace {
 
-using test::connectivity_of;
+using connectivity_of;
 
 class Operators : public testing::TestWithParam<std::string> {
  protected:

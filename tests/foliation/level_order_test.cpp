@@ -15,7 +15,7 @@
 namespace hexwall {
 namespace {
 
-using test::connectivity_of;
+using connectivity_of;
 
 TEST(LevelRanks, OrderByValueThenByNumber) {
   const TriangleSurface surface = cylinder(1.0, 3.0, 8, 6);

@@ -11,7 +11,7 @@ namespace hexwall {
 namespace {
 
 std::vector<double> radii_of(const TriangleSurface& surface) {
-  const Connectivity mesh(static_cast<int>(surface.points.size()), surface.triangles);
+  const Connectivity mesh = connectivity_of(surface);
   const Eigen::VectorXd edge = Eigen::VectorXd::Ones(mesh.face_count());
   const auto s = solve_form({surface, mesh, edge});
   return local_radius(s.refined.surface, s.connectivity, s.form, foliate(s.connectivity, s.form),

@@ -162,7 +162,7 @@ TEST(MendFaceTets, TurnsBackWhatWarpsThem) {
     surface.triangles.push_back({a, b, c});
     surface.triangles.push_back({a, c, d});
   }
-  const Connectivity connectivity(static_cast<int>(surface.points.size()), surface.triangles);
+  const Connectivity connectivity = connectivity_of(surface);
   const SurfaceProjector projector(surface, connectivity);
   const WallShape shape = upward(mesh, 8, 0.2);
   std::vector<Vec3> directions = up(mesh);

@@ -16,7 +16,7 @@ namespace {
 struct Vessel {
   explicit Vessel(const TriangleSurface& input)
       : surface(check_surface(input).surface),
-        mesh(static_cast<int>(surface.points.size()), surface.triangles),
+        mesh(connectivity_of(surface)),
         edge(Eigen::VectorXd::Ones(mesh.face_count())) {}
   FormProblem problem() const { return {surface, mesh, edge}; }
   PoleResult with_poles(const PoleOptions& options = {}) const {

@@ -16,7 +16,7 @@ class Rounding : public testing::Test {
  protected:
   void SetUp() override {
     surface_ = generate_shape(Shape::aaa, 2.0);
-    mesh_ = Connectivity(static_cast<int>(surface_.points.size()), surface_.triangles);
+    mesh_ = connectivity_of(surface_);
     const Eigen::VectorXd edge = Eigen::VectorXd::Ones(mesh_.face_count());
     solution_ = solve_form({surface_, mesh_, edge});
     foliation_ = foliate(solution_.connectivity, solution_.form);

@@ -33,7 +33,7 @@ std::vector<int> add_ring(const std::vector<int>& loop, const Vec3& center,
 }  // namespace
 
 TriangleSurface capped(const TriangleSurface& surface, CapStyle style) {
-  const Connectivity mesh(static_cast<int>(surface.points.size()), surface.triangles);
+  const Connectivity mesh = connectivity_of(surface);
   TriangleSurface result = surface;
   for (std::vector<int> loop : mesh.loops()) {
     if (style == CapStyle::fan) {

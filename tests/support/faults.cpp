@@ -23,7 +23,7 @@ struct Edge {
 };
 
 Edge edge_of(const TriangleSurface& surface, int f) {
-  const Connectivity mesh(static_cast<int>(surface.points.size()), surface.triangles);
+  const Connectivity mesh = connectivity_of(surface);
   const int h = 3 * f;
   const int twin = mesh.twin(h);
   return {f, Connectivity::face(twin), mesh.tail(h), mesh.tip(h), mesh.apex(h), mesh.apex(twin)};

@@ -26,10 +26,6 @@
 
 namespace hexwall::test {
 
-inline Connectivity connectivity_of(const TriangleSurface& surface) {
-  return {static_cast<int>(surface.points.size()), surface.triangles};
-}
-
 inline DelaunaySurface delaunay_of(const TriangleSurface& surface) {
   return make_delaunay(surface, connectivity_of(surface));
 }

@@ -219,7 +219,7 @@ TEST(CheckSurface, ShowsAShortLineAroundAHandle) {
 /// Lines around a tube divide it.
 TEST(HandleLine, IsEmptyWithoutHandles) {
   const TriangleSurface surface = tube();
-  const Connectivity mesh(static_cast<int>(surface.points.size()), surface.triangles);
+  const Connectivity mesh = connectivity_of(surface);
   EXPECT_TRUE(handle_line(surface, mesh).empty());
 }
 

@@ -135,7 +135,7 @@ TEST(Clip, TakesObliquePlanesInAnyPose) {
 
 TEST(Clip, LeavesOtherBranchesWhole) {
   const TriangleSurface vessel = generate_shape(Shape::bifurcation, 0.2);
-  const Connectivity mesh(static_cast<int>(vessel.points.size()), vessel.triangles);
+  const Connectivity mesh = connectivity_of(vessel);
   for (const auto& loop : mesh.loops()) {
     const LoopShape end = loop_shape(points_of(vessel, loop));
     const Vec3 outward = -end.normal;
@@ -151,7 +151,7 @@ TEST(Clip, LeavesOtherBranchesWhole) {
 
 TEST(Clip, LimitsTheCutToItsRadius) {
   const TriangleSurface vessel = generate_shape(Shape::bifurcation, 0.2);
-  const Connectivity mesh(static_cast<int>(vessel.points.size()), vessel.triangles);
+  const Connectivity mesh = connectivity_of(vessel);
   const LoopShape end = loop_shape(points_of(vessel, mesh.loops()[0]));
   CutPlane cut = plane(end.center + end.radius * end.normal, -end.normal);
   cut.radius = 1.5 * end.radius;
@@ -183,7 +183,7 @@ TEST_P(RealVessels, AreCutBeforeTheirEnds) {
   const auto surface = test::load_surface(GetParam());
   if (!surface) GTEST_SKIP() << "there is no file of " << GetParam();
   const TriangleSurface vessel = check_surface(*surface).surface;
-  const Connectivity mesh(static_cast<int>(vessel.points.size()), vessel.triangles);
+  const Connectivity mesh = connectivity_of(vessel);
   for (const auto& loop : mesh.loops()) {
     const LoopShape end = loop_shape(points_of(vessel, loop));
     const CutPlane cut = plane(end.center + 0.73 * end.radius * end.normal, -end.normal);

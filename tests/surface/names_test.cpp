@@ -1,6 +1,7 @@
 #include "surface/names.h"
 
 #include <fstream>
+#include <optional>
 #include <string>
 
 #include <Eigen/Geometry>
@@ -14,6 +15,10 @@
 
 namespace hexwall {
 namespace {
+
+std::optional<std::string> warning_of(const TriangleSurface& surface, double metres_per_unit) {
+  return unit_warning(surface, connectivity_of(surface), metres_per_unit);
+}
 
 using test::expect_error;
 
@@ -96,8 +101,8 @@ TEST(Names, RefusePlacesThatAreAmbiguous) {
 
 TEST(UnitWarning, NamesTheUnitThatFits) {
   const TriangleSurface tube = cylinder(0.01, 0.2, 24, 60);  // 1 cm and 20 cm in metres
-  EXPECT_FALSE(unit_warning(tube, 1.0));
-  const auto warning = unit_warning(tube, 1e-3);
+  EXPECT_FALSE(warning_of(tube, 1.0));
+  const auto warning = warning_of(tube, 1e-3);
   ASSERT_TRUE(warning);
   EXPECT_NE(warning->find("0.202 mm across"), std::string::npos) << *warning;
   EXPECT_NE(warning->find("it would be one in m"), std::string::npos) << *warning;
@@ -106,18 +111,18 @@ TEST(UnitWarning, NamesTheUnitThatFits) {
 
 TEST(UnitWarning, LooksAtTheRadiusToo) {
   // 1 m long with a radius of 0.3 m would fit into a body, but is no vessel ...
-  const auto warning = unit_warning(cylinder(0.3, 1.0, 24, 12), 1.0);
+  const auto warning = warning_of(cylinder(0.3, 1.0, 24, 12), 1.0);
   ASSERT_TRUE(warning);
   EXPECT_NE(warning->find("one in mm or cm"), std::string::npos) << *warning;
   // ... and a tube 100,000 times as long as wide is one in no unit.
-  const auto hair = unit_warning(cylinder(1e-3, 100.0, 8, 100), 1.0);
+  const auto hair = warning_of(cylinder(1e-3, 100.0, 8, 100), 1.0);
   ASSERT_TRUE(hair);
   EXPECT_NE(hair->find("none of"), std::string::npos) << *hair;
 }
 
 TEST(UnitWarning, TakesFlatSurfacesByTheirDiagonal) {
-  EXPECT_FALSE(unit_warning(annulus(1.0, 2.0, 24, 4), 1e-3));
-  EXPECT_TRUE(unit_warning(annulus(1.0, 2.0, 24, 4), 1.0));
+  EXPECT_FALSE(warning_of(annulus(1.0, 2.0, 24, 4), 1e-3));
+  EXPECT_TRUE(warning_of(annulus(1.0, 2.0, 24, 4), 1.0));
 }
 
 class Units : public testing::TestWithParam<std::string> {};
@@ -127,8 +132,8 @@ TEST_P(Units, OfRealVesselsAreTold) {
   if (!surface) GTEST_SKIP() << "there is no file of " << GetParam();
   const bool is_in_metres =
       GetParam() == "palabos_aneurysm_open.stl" || GetParam() == "openlb_bifurcation3d.vtp";
-  const auto in_mm = unit_warning(*surface, 1e-3);
-  const auto in_m = unit_warning(*surface, 1.0);
+  const auto in_mm = warning_of(*surface, 1e-3);
+  const auto in_m = warning_of(*surface, 1.0);
   EXPECT_EQ(in_mm.has_value(), is_in_metres);
   EXPECT_EQ(in_m.has_value(), !is_in_metres);
   const std::string warning = is_in_metres ? *in_mm : *in_m;

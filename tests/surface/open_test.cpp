@@ -183,7 +183,7 @@ TEST(OpenSurface, LeavesCapsOnUnevenRimsClosed) {
   const auto surface = test::load_surface("aneurysm");
   if (!surface) GTEST_SKIP() << "there is no file of the aneurysm";
   EXPECT_TRUE(open_surface(capped(*surface, CapStyle::fan), {}, {}).caps.empty());
-  const Connectivity mesh(static_cast<int>(surface->points.size()), surface->triangles);
+  const Connectivity mesh = connectivity_of(*surface);
   ASSERT_EQ(mesh.loops().size(), 3U);
   const auto deviation = [&](const std::vector<int>& loop) {
     const LoopShape shape = loop_shape(points_of(*surface, loop));

@@ -32,13 +32,9 @@ SurfacePoint near(const TriangleSurface& surface, const Vec3& p) {
   return best;
 }
 
-Connectivity connectivity(const TriangleSurface& surface) {
-  return {static_cast<int>(surface.points.size()), surface.triangles};
-}
-
 std::optional<PuncturedSurface> cut(const TriangleSurface& surface,
                                     const std::vector<SurfaceDisk>& disks) {
-  return puncture(surface, connectivity(surface), disks);
+  return puncture(surface, connectivity_of(surface), disks);
 }
 
 // From triangles far larger than the disk to far smaller ones.
@@ -51,7 +47,7 @@ TEST_P(Disk, IsRoundAndLeavesTheRestAsItWas) {
   const auto punctured = cut(surface, {{center, radius}});
   ASSERT_TRUE(punctured);
   const TriangleSurface& rest = punctured->surface;
-  const Connectivity mesh = connectivity(rest);
+  const Connectivity mesh = connectivity_of(rest);
   ASSERT_EQ(mesh.loops().size(), 3U);
   EXPECT_EQ(mesh.euler_number(), -1);
   const auto& loop = mesh.loops()[mesh.loop_of_vertex(punctured->hole_vertex.at(0))];
@@ -115,7 +111,7 @@ TEST(Puncture, TakesSeveralDisks) {
   const auto punctured =
       cut(surface, {{near(surface, {1.0, 0.0, 2.0}), 0.3}, {near(surface, {-1.0, 0.0, 4.0}), 0.4}});
   ASSERT_TRUE(punctured);
-  const Connectivity mesh = connectivity(punctured->surface);
+  const Connectivity mesh = connectivity_of(punctured->surface);
   EXPECT_EQ(mesh.loops().size(), 4U);
   EXPECT_EQ(mesh.euler_number(), -2);
   const int first = mesh.loop_of_vertex(punctured->hole_vertex.at(0));

@@ -86,7 +86,7 @@ TEST_P(RepairOfSlivers, LeavesFewOfThem) {
   EXPECT_EQ(slivers_in(result.geometry.surface), GetParam().after);
   EXPECT_GT(result.geometry.moved, 0.0);
   EXPECT_LE(result.geometry.moved, 0.5 * mean_edge_length(*surface));
-  const Connectivity mesh = test::connectivity_of(result.geometry.surface);
+  const Connectivity mesh = connectivity_of(result.geometry.surface);
   if (mesh.loops().empty()) {
     expect_error(ExitCode::topology, {"closed"}, [&] { check_surface(result.geometry.surface); });
   } else {
@@ -107,7 +107,7 @@ TEST(RepairOfCarotid, GivesTheSurfaceThatWasRepairedByHand) {
             (std::vector{RepairStep::duplicate, RepairStep::nonmanifold, RepairStep::components}));
   EXPECT_TRUE(result.geometry.actions.empty());
   const CheckResult checked = check_surface(result.geometry.surface);
-  EXPECT_EQ(test::connectivity_of(checked.surface).loops().size(), 3U);
+  EXPECT_EQ(connectivity_of(checked.surface).loops().size(), 3U);
   EXPECT_EQ(checked.surface.points.size(), by_hand->points.size());
   EXPECT_EQ(checked.surface.triangles.size(), by_hand->triangles.size());
 }

@@ -95,7 +95,7 @@ TEST_P(AnyFault, IsRepairedByItsStepAlone) {
   expect_actions_of(GetParam(), result);
   const CheckResult checked = check_surface(result.surface());
   EXPECT_EQ(checked.flipped, 0);
-  EXPECT_EQ(test::connectivity_of(checked.surface).loops().size(), 2U);
+  EXPECT_EQ(connectivity_of(checked.surface).loops().size(), 2U);
   EXPECT_TRUE(result.geometry.is_free_of_intersections);
 }
 
@@ -151,7 +151,7 @@ TEST_P(FaultOfSeveralSteps, IsRepairedByTheOthersIfItsStepIsSwitchedOff) {
   EXPECT_EQ(steps_of(result.actions()), GetParam().instead);
   const CheckResult checked = check_surface(result.surface());
   EXPECT_EQ(checked.flipped, 0);
-  EXPECT_EQ(test::connectivity_of(checked.surface).loops().size(), 2U);
+  EXPECT_EQ(connectivity_of(checked.surface).loops().size(), 2U);
   EXPECT_LT(surface_distance(result.surface(), test::sound_tube()), 1e-12);
 }
 
@@ -279,7 +279,7 @@ TEST(RepairTopology, SeparatesLargePartsThatTouchInAnEdge) {
   ASSERT_EQ(result.actions.size(), 1U);
   EXPECT_EQ(result.actions[0].count, 2);  // the two ends of the edge
   EXPECT_EQ(result.surface.points.size(), test::sound_tube().points.size() + 6);
-  EXPECT_NO_THROW(test::connectivity_of(result.surface));
+  EXPECT_NO_THROW(connectivity_of(result.surface));
 }
 
 // A short branch and the wall inside it are both small: which of them is surplus is not clear.
@@ -351,8 +351,8 @@ TEST_P(GeometryFault, MovesAsFarAsItSaysAndNoFurther) {
 TEST_P(GeometryFault, KeepsLoops) {
   const TriangleSurface& input = GetParam().surface;
   const RepairResult result = repair_geometry(input);
-  const Connectivity before = test::connectivity_of(input);
-  const Connectivity after = test::connectivity_of(result.surface);
+  const Connectivity before = connectivity_of(input);
+  const Connectivity after = connectivity_of(result.surface);
   std::vector<double> lengths = test::loop_lengths(result.surface, after);
   std::vector<double> former = test::loop_lengths(input, before);
   std::sort(lengths.rbegin(), lengths.rend());
@@ -420,7 +420,7 @@ TEST(RepairGeometry, FillsWhatIsAskedFor) {
   EXPECT_EQ(repair_geometry(geometry_fault("pinholes"), options).actions.at(0).count, 1);
   options.pinhole_length = 7.0;  // more than 2 pi: both ends
   const TriangleSurface closed = repair_geometry(test::sound_tube(), options).surface;
-  EXPECT_TRUE(test::connectivity_of(closed).loops().empty());
+  EXPECT_TRUE(connectivity_of(closed).loops().empty());
   EXPECT_NEAR(signed_volume(closed), signed_volume(test::sound_tube()), 1e-12);
 }
 
@@ -428,7 +428,7 @@ TEST(RepairGeometry, FillsWhatIsAskedFor) {
 TEST(RepairGeometry, KeepsNarrowBranches) {
   TriangleSurface surface = test::sound_tube();
   const int v = surface.triangles[1152][0];
-  const Connectivity mesh = test::connectivity_of(surface);
+  const Connectivity mesh = connectivity_of(surface);
   std::vector<int> ring;
   for (int h = mesh.outgoing(v), first = h;;) {
     ring.push_back(mesh.tip(h));
