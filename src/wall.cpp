@@ -30,6 +30,9 @@ constexpr double most_lacking = 0.02;
 // So much must the least scaled Jacobian gain for each share of the area where the wall gets
 // thinner.
 constexpr double jacobian_per_area = 20.0;
+// The worst columns are raised so often, as long as one is worse than this.
+constexpr int most_raises = 4;
+constexpr double good_scaled_jacobian = 0.58;
 // Evening out leaves this share of the shortest edge at a vertex, however often.
 constexpr double least_share_of_edge = 0.5;
 
@@ -180,6 +183,15 @@ struct WallFit {
   }
 };
 
+WallFit not_fitted(const QuadMesh& quads, const std::vector<SurfacePoint>& places,
+                   const std::vector<Vec3>& directions) {
+  WallFit fit;
+  fit.quads = quads;
+  fit.places = places;
+  fit.directions = directions;
+  return fit;
+}
+
 // Hexes good enough come first, then faces that OpenFOAM can split.
 bool is_better(const WallFit& a, const WallFit& b) {
   const auto merit = [](const WallFit& fit) {
@@ -199,8 +211,14 @@ class WallFitter {
     if (r.options.inward) inward_.emplace(r.quads, r.layers, Side::inward, for_core);
   }
 
-  /// \param start the wall as asked for.
-  WallFit run(WallFit start) { return raise_worst(win_face_tets(first_fit(std::move(start)))); }
+  /// \param start not fitted.
+  /// \throws MeshingError if no wall fits.
+  WallFit run(WallFit start) {
+    start.shape = shape_of(r_, start.places);
+    start.least_edge = shortest_edges(start.quads);
+    for (double& edge : start.least_edge) edge *= least_share_of_edge;
+    return raise_worst(win_face_tets(first_fit(std::move(start))));
+  }
 
  private:
   std::span<const ColumnQuality> columns_of(const WallFit& fit) {
@@ -288,21 +306,31 @@ class WallFitter {
     return refitted && is_better(*refitted, best) ? *refitted : best;
   }
 
-  // Raises the worst columns further, if that costs no faces that can be split and hardly
-  // thickness.
+  // Raises the worst columns further, once more while some are poor.
   WallFit raise_worst(WallFit fit) {
+    for (int round = 0; round < most_raises; ++round) {
+      std::optional<WallFit> raised = raised_worst(fit);
+      if (!raised) break;
+      fit = std::move(*raised);
+      if (fit.min_scaled_jacobian >= good_scaled_jacobian) break;
+    }
+    return fit;
+  }
+
+  // Nothing if that costs faces that can be split, or more thickness than it is worth.
+  std::optional<WallFit> raised_worst(const WallFit& fit) {
     WallFit trial = fit;
     const EvenOutOptions options{columns_of(fit), fit.least_edge};
     trial.evened_vertices += even_out_worst(trial.quads, trial.places, trial.directions, projector_,
                                             trial.shape, options);
-    if (trial.evened_vertices == fit.evened_vertices) return fit;
-    const std::optional<WallFit> raised = fitted(std::move(trial));
+    if (trial.evened_vertices == fit.evened_vertices) return std::nullopt;
+    std::optional<WallFit> raised = fitted(std::move(trial));
     const bool pays =
         raised && raised->columns_without_face_tets <= fit.columns_without_face_tets &&
         raised->min_scaled_jacobian - fit.min_scaled_jacobian >
             jacobian_per_area *
                 std::max(0.0, raised->reduced_area_fraction() - fit.reduced_area_fraction());
-    return pays ? *raised : fit;
+    return pays ? raised : std::nullopt;
   }
 
   const PipelineResult& r_;
@@ -362,18 +390,21 @@ void make_wall(PipelineResult& r, std::vector<SurfacePoint>& places,
   r.layers = plan_layers(groups_of(r.options.outward, "layer_"),
                          groups_of(r.options.inward, "lumen_layer_"));
   const WallShape shape = shape_of(r, places);
-  std::vector<Vec3> directions = find_directions(r, places, shape);
+  const std::vector<Vec3> directions = find_directions(r, places, shape);
   ColumnQualities columns;
-  r.polishing =
-      polish(r.quads, places, directions, projector, shape, columns.of(r.quads, directions, shape));
-  WallFit start;
-  start.quads = r.quads;
-  start.places = places;
-  start.directions = directions;
-  start.shape = shape_of(r, places);
-  start.least_edge = shortest_edges(r.quads);
-  for (double& edge : start.least_edge) edge *= least_share_of_edge;
-  WallFit fit = WallFitter(r, projector, columns).run(std::move(start));
+  WallFit start = not_fitted(r.quads, places, directions);
+  r.polishing = polish(start.quads, start.places, start.directions, projector, shape,
+                       columns.of(r.quads, directions, shape));
+  WallFitter fitter(r, projector, columns);
+  WallFit fit;
+  try {
+    fit = fitter.run(std::move(start));
+  } catch (const MeshingError&) {
+    // Where there is no room for the wall, polishing chases what it cannot reach.
+    if (r.polishing.moved == 0) throw;
+    r.polishing = {r.polishing.columns_before, r.polishing.columns_before, 0};
+    fit = fitter.run(not_fitted(r.quads, places, directions));
+  }
   take_over(fit, r, places);
   check_strictness(r);
   r.target_edge = target_edges(r, places);

@@ -9,7 +9,7 @@ inline constexpr double delaunay_cotangent = 1e-8;
 
 /// A split point keeps this fraction of the edge away from both ends, so that a split never makes
 /// an edge much shorter than the geometry asks for.
-inline constexpr double delaunay_split_margin = 0.05;
+inline constexpr double delaunay_split_margin = 0.1;
 
 /// Newton stops when the predicted decrease of the normalised energy falls below this: 1e-13 is
 /// what a double holds of an energy of order one.

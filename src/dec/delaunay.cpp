@@ -1,7 +1,9 @@
 #include "dec/delaunay.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include <Eigen/Geometry>
@@ -66,23 +68,79 @@ class Refiner {
       push_face(f);
       push_face(g);
     } else if (splits_ < split_budget_) {
-      split(h, crossing_parameter(h));
+      split(h, split_parameter(h));
     }
   }
 
-  // Where the other diagonal of the two unfolded triangles crosses h, as a fraction of h.
-  double crossing_parameter(int h) const {
+  // Where to split h, as a fraction of it. Both halves are Delaunay where the other diagonal of the
+  // two unfolded triangles crosses it, and around there. The angles at the new vertex are larger
+  // than those that they replace at the ends: of the edges opposite to them, as many as possible
+  // stay Delaunay.
+  double split_parameter(int h) const {
     const Vec3 start = mesh_.point(mesh_.tail(h));
     const Vec3 edge = mesh_.point(mesh_.tip(h)) - start;
     const double length = edge.norm();
-    const auto unfolded = [&](int apex_vertex) {
-      const Vec3 u = mesh_.point(apex_vertex) - start;
-      return std::pair{u.dot(edge) / length, u.cross(edge).norm() / length};
-    };
-    const auto [x1, y1] = unfolded(mesh_.apex(h));
-    const auto [x2, y2] = unfolded(mesh_.apex(mesh_.twin(h)));
-    const double t = (x1 * y2 + x2 * y1) / ((y1 + y2) * length);
-    return std::clamp(t, tolerance::delaunay_split_margin, 1.0 - tolerance::delaunay_split_margin);
+    // With h on the x axis, from 0 to `length`, and the apexes of its triangles at (x, y): sums
+    // over both of the cotangents at the tail and at the tip, and of those of the halves' opposite
+    // angles when the other half has no length.
+    double at_tail = 0.0;
+    double at_tip = 0.0;
+    double of_first = 0.0;
+    double of_second = 0.0;
+    std::array<double, 2> x;
+    std::array<double, 2> y;
+    Wishes wishes;
+    for (int side = 0; side < 2; ++side) {
+      const int g = side == 0 ? h : mesh_.twin(h);
+      const Vec3 u = mesh_.point(mesh_.apex(g)) - start;
+      x[side] = u.dot(edge) / length;
+      y[side] = u.cross(edge).norm() / length;
+      const double rest = length - x[side];
+      at_tail += x[side] / y[side];
+      at_tip += rest / y[side];
+      of_first += (x[side] * x[side] + y[side] * y[side]) / y[side];
+      of_second += (rest * rest + y[side] * y[side]) / y[side];
+      const int before = EditableMesh::prev(g);
+      const int after = EditableMesh::next(g);
+      wishes.from[side] = x[side] - y[side] * cotangent_beyond(side == 0 ? before : after);
+      wishes.to[side] = x[side] + y[side] * cotangent_beyond(side == 0 ? after : before);
+    }
+    const double crossing = (x[0] * y[1] + x[1] * y[0]) / (y[0] + y[1]);
+    double least = tolerance::delaunay_split_margin * length;
+    double most = length - least;
+    if (at_tip > 0.0) least = std::max(least, length - of_second / at_tip);
+    if (at_tail > 0.0) most = std::min(most, of_first / at_tail);
+    if (least > most) least = most = std::clamp(crossing, most, least);
+    return wishes.best_place(crossing, least, most) / length;
+  }
+
+  /// From where and up to where the edges opposite to a new vertex want it.
+  struct Wishes {
+    std::array<double, 2> from, to;
+
+    std::ptrdiff_t met_at(double p) const {
+      return std::count_if(from.begin(), from.end(), [p](double f) { return p >= f; }) +
+             std::count_if(to.begin(), to.end(), [p](double t) { return p <= t; });
+    }
+
+    // In the range given, and as near to `p` as possible.
+    double best_place(double p, double least, double most) const {
+      double best = std::clamp(p, least, most);
+      for (const double wish : {from[0], from[1], to[0], to[1]}) {
+        const double place = std::clamp(wish, least, most);
+        const auto gain = met_at(place) - met_at(best);
+        if (gain > 0 || (gain == 0 && std::abs(place - p) < std::abs(best - p))) best = place;
+      }
+      return best;
+    }
+  };
+
+  // Of the triangle beyond an edge. Infinite if the edge need not stay Delaunay: at the boundary,
+  // and inside a triangle of the input, where it can be flipped.
+  double cotangent_beyond(int h) const {
+    const int twin = mesh_.twin(h);
+    const bool is_free = twin < 0 || mesh_.parent()[twin / 3] == mesh_.parent()[h / 3];
+    return is_free ? std::numeric_limits<double>::infinity() : cotangent(twin);
   }
 
   void split(int h, double t) {

@@ -155,6 +155,18 @@ double skew(const Column& column) {
   return dot(edge, previous(edge)).square().sum();
 }
 
+double width_at_skins(const Column& column, const std::vector<double>& levels) {
+  const Levels corners(column);
+  const VectorLanes base(column.base);
+  const VectorLanes edge = next(base) - base;
+  double least = 1.0;
+  for (const double level : {levels.front(), levels.back()}) {
+    const VectorLanes skin = corners.at(level);
+    least = std::min(least, (dot(next(skin) - skin, edge) / dot(edge, edge)).minCoeff());
+  }
+  return least;
+}
+
 double flat_quality(const Column& column) {
   return std::min(
       1.0, corner_jacobians(VectorLanes(column.base), VectorLanes(column.direction)).minCoeff());

@@ -84,6 +84,10 @@ inline double squared(double x, int squarings) {
   return x;
 }
 
+/// Least share of an edge of the base that is left of it at the skins, along that edge: 1 in a
+/// straight column, 0 where it closes up, which its scaled Jacobian does not tell.
+double width_at_skins(const Column& column, const std::vector<double>& levels);
+
 /// Sum of the squared cosines of the corner angles of the base.
 double skew(const Column& column);
 

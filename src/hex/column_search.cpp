@@ -85,6 +85,14 @@ double ColumnSearch::shortest_edge(int v) const {
   return shortest;
 }
 
+double ColumnSearch::width_around(int v, double most) const {
+  double least = most;
+  for (const int q : columns_around(v)) {
+    least = std::min(least, width_at_skins(column(q), levels()));
+  }
+  return least;
+}
+
 void ColumnSearch::set(int v, const SurfacePoint& place, const Vec3& direction) {
   places_[v] = place;
   quads_.points[v] = place.position;

@@ -30,6 +30,9 @@ class ColumnSearch {
   /// Length of the shortest edge at a vertex.
   double shortest_edge(int v) const;
 
+  /// Least `width_at_skins` of the columns around a vertex, as far as it is below `most`.
+  double width_around(int v, double most) const;
+
   /// Turns the rings of steps, so that they do not miss the same ways out again.
   void turn_rings() { turn_ += 2.4; }
 

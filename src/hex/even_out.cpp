@@ -23,7 +23,6 @@ constexpr double worst_range = 0.06;
 // A face that is just split counts like a scaled Jacobian of one less this.
 constexpr double least_split_weight = 0.45;
 constexpr double greatest_split_weight = 1.0;
-constexpr double worst_split_weight = 0.55;
 // Powers of what corners lack, in number of squarings.
 constexpr int first_squarings = 4;
 constexpr int most_squarings = 7;
@@ -32,7 +31,10 @@ constexpr double first_skew_weight = 1e-7;
 // Vertices stay, for the while, where the corners around them lack less than about 0.29.
 constexpr double first_good_cost = 2e-9;
 // No edge gets shorter than this share of the shortest one around its end.
-constexpr double least_share_of_edge = 0.8;
+constexpr double least_share_of_edge = 0.65;
+// Columns do not get narrower at the skins than this share, or than they were: beyond, they pinch
+// and meet each other.
+constexpr double enough_width = 0.15;
 // Steps start with this, or half of it where the power was raised, and are halved after so many
 // sweeps, or where a sweep leaves more than this share of the cost.
 constexpr double first_step = 0.5;
@@ -64,8 +66,10 @@ class Evener {
     vertices_ = vertices_around_poor_columns();
     const auto count = static_cast<double>(least_edge_.size());
     if (static_cast<double>(vertices_.size()) > most_evened * count) return 0;
+    least_width_.resize(least_edge_.size());
     for (const int v : vertices_) {
       least_edge_[v] = std::max(least_share_of_edge * search_.shortest_edge(v), least_edge_[v]);
+      least_width_[v] = search_.width_around(v, enough_width);
     }
     find_vertices_apart();
     moved_.assign(least_edge_.size(), 0);
@@ -171,6 +175,7 @@ class Evener {
         v, step, [this](int w, double limit) { return cost_around(w, limit); },
         [this](int w) {
           return search_.shortest_edge(w) >= least_edge_[w] &&
+                 search_.width_around(w, enough_width) >= least_width_[w] &&
                  (!goals_.keeps_face_tets || have_face_tets(w));
         });
   }
@@ -187,8 +192,9 @@ class Evener {
   std::vector<char> is_hopeless_;
   Goals goals_;
   int squarings_ = first_squarings;
-  std::vector<double> least_edge_;  // #V
-  std::vector<int> vertices_;       // that may be moved or turned
+  std::vector<double> least_edge_;   // #V
+  std::vector<double> least_width_;  // #V
+  std::vector<int> vertices_;        // that may be moved or turned
   std::vector<std::vector<int>> vertices_apart_;
   std::vector<char> moved_;   // #V
   std::vector<double> cost_;  // #V, around each one when it was looked at last
@@ -211,7 +217,7 @@ int even_out_worst(QuadMesh& quads, std::vector<SurfacePoint>& places,
                    const WallShape& shape, const EvenOutOptions& options) {
   ColumnSearch search(quads, places, directions, projector, shape);
   const double poor = std::min(poor_jacobian, least_scaled_jacobian(options.columns) + worst_range);
-  const Goals goals{poor, rings_around_worst, worst_split_weight, first_squarings + 1, true};
+  const Goals goals{poor, rings_around_worst, least_split_weight, first_squarings + 1, true};
   return Evener(search, goals, options).run(most_squarings);
 }
 

@@ -15,8 +15,6 @@
 namespace hexwall {
 namespace {
 
-using connectivity_of;
-
 double area(const TriangleSurface& surface, int f) {
   return 0.5 * doubled_area_vector(surface, f).norm();
 }
@@ -127,6 +125,16 @@ TEST_P(MakeDelaunay, RefinesWithoutChangingTheShape) {
   const TriangleSurface* input = test::vessel_surface(GetParam());
   if (input == nullptr) GTEST_SKIP() << "no shared data: " << GetParam();
   expect_delaunay_refinement(*input, test::delaunay_of(*input));
+}
+
+// One of its own for each edge that is not Delaunay, and those that follow from there: split where
+// flips would cross them, edges take up to seven on needles.
+TEST_P(MakeDelaunay, TakesFewSplits) {
+  const TriangleSurface* input = test::vessel_surface(GetParam());
+  if (input == nullptr) GTEST_SKIP() << "no shared data: " << GetParam();
+  const int not_delaunay = negative_weights(*input, connectivity_of(*input));
+  const int chords_and_theirs = 20;
+  EXPECT_LE(test::delaunay_of(*input).splits, 4 * not_delaunay + chords_and_theirs);
 }
 
 TEST_P(MakeDelaunay, LeavesItsOwnResultAlone) {

@@ -10,8 +10,6 @@
 namespace hexwall {
 namespace {
 
-using connectivity_of;
-
 struct PlanarMesh {
   TriangleSurface surface = test::delaunay_of(eccentric_annulus(1.0, 0.3, 0.4, 48, 9)).surface;
   Connectivity mesh = connectivity_of(surface);

@@ -12,8 +12,6 @@
 namespace hexwall {
 namespace {
 
-using connectivity_of;
-
 class Operators : public testing::TestWithParam<std::string> {
  protected:
   TriangleSurface surface_ = test::delaunay_of(*test::vessel_surface(GetParam())).surface;

@@ -15,8 +15,6 @@
 namespace hexwall {
 namespace {
 
-using connectivity_of;
-
 TEST(LevelRanks, OrderByValueThenByNumber) {
   const TriangleSurface surface = cylinder(1.0, 3.0, 8, 6);
   const Connectivity mesh = connectivity_of(surface);

@@ -20,10 +20,6 @@ namespace {
 using std::numbers::pi;
 using test::expect_error;
 
-Connectivity connectivity_of(const TriangleSurface& surface) {
-  return {static_cast<int>(surface.points.size()), surface.triangles};
-}
-
 /// Twice the ratio of the radii of inscribed and circumscribed circle: 1 if equilateral.
 double quality(const TriangleSurface& surface, int f) {
   const auto& [i, j, k] = surface.triangles[f];

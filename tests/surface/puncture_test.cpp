@@ -128,7 +128,7 @@ TEST(Puncture, StaysOnTheSheetOfItsCentre) {
   for (const Vec3& p : punctured->surface.points) {
     EXPECT_TRUE(p.x() < 0.5 || (p - Vec3(1.0, 0.0, 3.0)).norm() > 1.1);
   }
-  EXPECT_EQ(connectivity(punctured->surface).loops().size(), 3U);
+  EXPECT_EQ(connectivity_of(punctured->surface).loops().size(), 3U);
 }
 
 TEST(Puncture, RefusesWhatIsNoDisk) {
