@@ -105,7 +105,9 @@ double face_split(const Column& column, const std::vector<double>& levels) {
     const VectorLanes high = corners.at(levels[i + 1]);
     const Vec3 high_center = high.mean();
     const Vec3 center_above = 0.5 * (low_center + high_center);
-    if (i > 0) {
+    const bool is_inner_skin = i == 0 && levels.front() < 0.0;
+    if (is_inner_skin) center_below = 2.0 * low_center - center_above;
+    if (i > 0 || is_inner_skin) {
       const double split = best_split_height(low, &center_below, &center_above);
       least = std::min(least, 2.0 * split / (high_center - low_center).norm());
     }

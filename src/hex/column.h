@@ -56,9 +56,10 @@ Column column_of(const QuadMesh& quads, int quad, const std::vector<Vec3>& direc
 /// \param levels of the layer boundaries, rising, see `LayerPlan`.
 double scaled_jacobian(const Column& column, const std::vector<double>& levels);
 
-/// How well the faces between layers can be split: for the better diagonal of the worst face, the
-/// least distance of a cell centre from a triangle's plane on its proper side, relative to half the
-/// height of a layer. 1 for flat faces; at or below 0 no diagonal gives tetrahedra of positive
+/// How well the faces between layers can be split, and the inner skin, as if there were one more
+/// layer beyond it, for the sake of cells in the lumen: for the better diagonal of the worst face,
+/// the least distance of a cell centre from a triangle's plane on its proper side, relative to half
+/// the height of a layer. 1 for flat faces; at or below 0 no diagonal gives tetrahedra of positive
 /// volume towards both cells, which OpenFOAM reports as an error in face tets.
 double face_split(const Column& column, const std::vector<double>& levels);
 

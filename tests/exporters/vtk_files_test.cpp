@@ -4,6 +4,7 @@
 #include <csignal>
 #include <cstdint>
 #include <fstream>
+#include <random>
 #include <set>
 #include <string>
 #include <sys/resource.h>
@@ -23,12 +24,54 @@
 #include <vtkXMLUnstructuredGridReader.h>
 
 #include "core/errors.h"
+#include "exporters/zlib_compressor.h"
 #include "support/block_mesh.h"
 #include "support/expect_error.h"
 #include "support/temporary_folder.h"
 
 namespace hexwall {
 namespace {
+
+std::vector<unsigned char> compressed(const std::vector<unsigned char>& block) {
+  vtkNew<ZlibCompressor> compressor;
+  compressor->SetCompressionLevel(1);
+  std::vector<unsigned char> result(compressor->GetMaximumCompressionSpace(block.size()));
+  result.resize(compressor->Compress(block.data(), block.size(), result.data(), result.size()));
+  return result;
+}
+
+std::vector<unsigned char> uncompressed(const std::vector<unsigned char>& bytes, std::size_t size) {
+  vtkNew<vtkZLibDataCompressor> zlib;
+  std::vector<unsigned char> result(size);
+  result.resize(zlib->Uncompress(bytes.data(), bytes.size(), result.data(), size));
+  return result;
+}
+
+TEST(ZlibCompressor, ShrinksWhatShrinksAndStoresTheRest) {
+  std::vector<unsigned char> noise(100000);
+  std::mt19937 random(1);
+  for (unsigned char& byte : noise) byte = static_cast<unsigned char>(random());
+  std::vector<unsigned char> regular(noise.size());
+  for (std::size_t i = 0; i < regular.size(); ++i) {
+    regular[i] = static_cast<unsigned char>(i % 100);
+  }
+  const std::size_t of_format = 100;  // headers of blocks, check sum
+  EXPECT_LE(compressed(noise).size(), noise.size() + of_format);
+  EXPECT_LT(compressed(regular).size(), regular.size() / 20);
+  EXPECT_EQ(uncompressed(compressed(noise), noise.size()), noise);
+  EXPECT_EQ(uncompressed(compressed(regular), regular.size()), regular);
+}
+
+// One byte of eight is the same always, as in doubles of one size: that saves less than it takes.
+TEST(ZlibCompressor, StoresWhatShrinksALittle) {
+  std::vector<unsigned char> block(100000);
+  std::mt19937 random(2);
+  for (std::size_t i = 0; i < block.size(); ++i) {
+    block[i] = i % 8 == 7 ? 63 : static_cast<unsigned char>(random());
+  }
+  EXPECT_GE(compressed(block).size(), block.size());
+  EXPECT_EQ(uncompressed(compressed(block), block.size()), block);
+}
 
 using testing::ElementsAre;
 using testing::HasSubstr;

@@ -105,6 +105,24 @@ TEST(CornerDeficit, IsThatOfTheAnglesOnAFlatColumn) {
   EXPECT_NEAR(scaled_jacobian(column, {0.0, 1.0}), h, 1e-14);
 }
 
+// Its corners lean inward: a good hex at every thickness, until it closes up.
+TEST(WidthAtSkins, IsWhatAFrustumLeavesOfItsBase) {
+  Column column;
+  column.base = {Vec3(-1, -2, 0), Vec3(1, -2, 0), Vec3(1, 2, 0), Vec3(-1, 2, 0)};
+  for (int k = 0; k < 4; ++k) {
+    column.direction[k] = Vec3(-column.base[k].x(), -column.base[k].y(), 4.0).normalized();
+  }
+  const double to_apex = Vec3(1, 2, 4).norm();
+  column.outward.fill(0.9 * to_apex);
+  column.inward.fill(0.5 * to_apex);
+  EXPECT_NEAR(width_at_skins(column, {0.0, 0.5, 1.0}), 0.1, 1e-14);
+  EXPECT_NEAR(width_at_skins(column, {-1.0, 0.0}), 1.0, 1e-14) << "wider inside";
+  EXPECT_NEAR(width_at_skins(column, {-1.0, 0.0, 1.0}), 0.1, 1e-14);
+  column.outward.fill(1.2 * to_apex);
+  EXPECT_NEAR(width_at_skins(column, {0.0, 1.0}), -0.2, 1e-14) << "turned over";
+  EXPECT_GT(flat_quality(column), 0.4) << "which the base does not tell";
+}
+
 /// Layers on quads that are warped by a multiple of the height of a layer.
 class WarpedQuads : public testing::TestWithParam<double> {};
 

@@ -217,20 +217,27 @@ INSTANTIATE_TEST_SUITE_P(, Goals,
 
 /// Four layers of 0.125 on about 10,000 quads: better on both sides, in the worst corner, than
 /// quads of QuadWild-BiMDF through OpenFOAM's extrudeMesh, which come to 0.417 outside and 0.608
-/// inside.
+/// inside. Where rows of quads come to lie is chance: of five sizes, the one in the middle counts.
 TEST(WorstHex, IsBetterThanThatOfOtherTools) {
   const auto surface = load_surface("aneurysm");
   if (!surface) GTEST_SKIP() << "the aneurysm of gmsh-doc is not on this machine";
   LayerOptions layers;
   layers.thickness = 0.5;
   layers.layers = 4;
-  PipelineOptions options;
-  options.size = 0.68;
-  options.outward = layers;
-  EXPECT_GT(run_pipeline(*surface, options).min_wall_scaled_jacobian, 0.417);
-  options.outward.reset();
-  options.inward = layers;
-  EXPECT_GT(run_pipeline(*surface, options).min_wall_scaled_jacobian, 0.608);
+  const auto median = [&](auto side) {
+    std::vector<double> worst;
+    for (const double size : {0.67, 0.675, 0.68, 0.685, 0.69}) {
+      PipelineOptions options;
+      options.size = size;
+      options.outward.reset();
+      options.*side = layers;
+      worst.push_back(run_pipeline(*surface, options).min_wall_scaled_jacobian);
+    }
+    std::sort(worst.begin(), worst.end());
+    return worst[2];
+  };
+  EXPECT_GT(median(&PipelineOptions::outward), 0.6);
+  EXPECT_GT(median(&PipelineOptions::inward), 0.608);
 }
 
 /// Without poles the tip of the aneurysm's sac is cut off: the user has to be told.

@@ -69,7 +69,7 @@ std::vector<Json> reports() {
   PipelineOptions both;
   both.size = 0.3;
   both.inward = LayerOptions{};
-  both.outward->thickness = 2.0;
+  both.outward->thickness = 4.0;
   both.inward->thickness = 0.8;
   TriangleSurface dirty = capped(cylinder(1.0, 6.0, 20, 16), CapStyle::wheel);
   dirty.triangles.push_back(dirty.triangles.front());
