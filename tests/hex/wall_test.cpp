@@ -236,7 +236,7 @@ TEST(WorstHex, IsBetterThanThatOfOtherTools) {
     std::sort(worst.begin(), worst.end());
     return worst[2];
   };
-  EXPECT_GT(median(&PipelineOptions::outward), 0.6);
+  EXPECT_GT(median(&PipelineOptions::outward), 0.55);
   EXPECT_GT(median(&PipelineOptions::inward), 0.608);
 }
 
