@@ -306,7 +306,7 @@ class WallFitter {
     return refitted && is_better(*refitted, best) ? *refitted : best;
   }
 
-  // Raises the worst columns further, once more while some are poor.
+  // Raises the worst columns further, again while some are poor.
   WallFit raise_worst(WallFit fit) {
     for (int round = 0; round < most_raises; ++round) {
       std::optional<WallFit> raised = raised_worst(fit);

@@ -110,6 +110,7 @@ class Refiner {
     double most = length - least;
     if (at_tip > 0.0) least = std::max(least, length - of_second / at_tip);
     if (at_tail > 0.0) most = std::min(most, of_first / at_tail);
+    // The margin comes first.
     if (least > most) least = most = std::clamp(crossing, most, least);
     return wishes.best_place(crossing, least, most) / length;
   }
